@@ -42,10 +42,9 @@ void warn_of_large_motion(const Grid& grid, std::span<const double> weights, std
   if (std::max(most.strain, most.turn) <= kSmall) return;
   const auto [x, y] = centroid(corners(grid, where));
   bye.add_warnings(fmt::format(
-      "the zone at ({:.4g}, {:.4g}) m has strained by {:.0f} % and turned by {:.0f} degrees, but is computed "
-      "in "
-      "small strain, which is right to about 10 %; give `large_strain: true`, or take what moved so far as a "
-      "collapse",
+      "the zone at ({:.4g}, {:.4g}) m has strained by {:.0f} % and turned by {:.0f} degrees, but is "
+      "computed in small strain, which is right to about 10 %; give `large_strain: true`, or read it as "
+      "failure, not as a displacement",
       x, y, 100 * most.strain, most.turn * 180 / std::numbers::pi));
 }
 

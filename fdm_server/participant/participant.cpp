@@ -246,7 +246,7 @@ WaterAtRest FdmParticipant::water_at_rest() const {
 std::vector<Load> FdmParticipant::loads(std::span<const double> masses) const {
   auto loads = resolve_loads(scene_.continuum(), grid_, masses, columns_);
   if (scene_.has_water())
-    loads.push_back(weight_of_sea(scene_.water(), water_at_rest(), grid_, weights_, side_shares_, columns_));
+    loads.push_back(weight_of_sea(water_at_rest(), grid_, weights_, side_shares_, columns_));
   loads.insert(loads.end(), base_loads_.begin(), base_loads_.end());
   return loads;
 }

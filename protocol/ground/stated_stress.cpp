@@ -74,7 +74,7 @@ void check(const scene::Stress& stress) {
 StatedStress::StatedStress(const scene::Stress& stress, const scene::Water* water)
     : surface_(stress.layers().empty() ? kInfinity : top_of(stress)), surcharge_(stress.surcharge()) {
   check(stress);
-  if (water) water_ = *water;
+  if (water) read_sea(*water);
   for (const scene::Point& point : stress.surface_line()) line_.emplace_back(point.x(), point.y());
   if (stress.layers().empty()) {
     Piece piece{
@@ -84,7 +84,9 @@ StatedStress::StatedStress(const scene::Stress& stress, const scene::Water* wate
     pieces_.push_back(piece);
     return;
   }
-  double top = surface_, vertical = -load_on(surface_);
+  // Where the sea differs from place to place, a level surface is a line, too.
+  if (!seas_.empty() && line_.empty()) line_.emplace_back(0, surface_);
+  double top = surface_, vertical = -load_on(0, surface_);
   for (const scene::GroundLayer& layer : stress.layers()) {
     const double weight = layer.density() * kStandardGravity;
     const Linear yy{vertical - weight * top, weight};
@@ -95,8 +97,21 @@ StatedStress::StatedStress(const scene::Stress& stress, const scene::Water* wate
   }
 }
 
-double StatedStress::load_on(double y) const {
-  return surcharge_ + (water_ ? pressure_at_rest(*water_, water_->level(), y) : 0);
+void StatedStress::read_sea(const scene::Water& water) {
+  water_ = water;
+  for (int i = 0; i < water.places_size(); ++i) {
+    const scene::WaterPlace& place = water.places(i);
+    if (place.stage() == 0 && place.has_level() && !place.where().has_group())
+      seas_.push_back({Places(place.where(), fmt::format("water.places[{}].where", i), 1e-9), place.level()});
+  }
+}
+
+double StatedStress::load_on(double x, double y) const {
+  if (!water_) return surcharge_;
+  double level = water_->level();
+  for (const auto& [where, of_place] : seas_)
+    if (where.hold(x, y)) level = of_place;
+  return surcharge_ + pressure_at_rest(*water_, level, y);
 }
 
 const StatedStress::Piece& StatedStress::piece_at(double y) const {
@@ -112,7 +127,7 @@ GroundStress StatedStress::below_line(double x, double y) const {
     above = std::lerp(y0, right->second, (x - x0) / (right->first - x0));
   }
   const double height = std::min(y, above);
-  double vertical = -load_on(above), horizontal = 0;
+  double vertical = -load_on(x, above), horizontal = 0;
   for (const Piece& layer : pieces_) {
     const bool last = &layer == &pieces_.back() || height >= layer.bottom;
     const double lower = last ? height : layer.bottom;

@@ -5,7 +5,8 @@
 // The last layer goes on below its lower side. Above the surface the ground bears the surcharge alone.
 //
 // Where the pores hold water, k0 is that of the effective stress: the vertical pressure less that of the
-// water, times k0, and the water's again. Water that stands on the surface weighs on it.
+// water, times k0, and the water's again. Water that stands on the surface weighs on it, by the level of the
+// place there.
 //
 // Below a line instead of a level surface, each place bears the layers between it and the line above it.
 // Layers end at the line, which may lie below some of them; the sea is as deep as the line is there. Beside
@@ -17,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/geometry/selection.hpp"
 #include "protocol/messages/scene.pb.h"
 
 namespace adit::protocol {
@@ -55,13 +57,20 @@ class StatedStress {
     std::optional<Linear> zz;
   };
   const Piece& piece_at(double y) const;
-  double load_on(double y) const;  // vertical pressure on a surface there: the surcharge, and the sea's
+  void read_sea(const scene::Water& water);
+  // Vertical pressure on a surface there: the surcharge, and the sea's.
+  double load_on(double x, double y) const;
   GroundStress below_level(double y) const;
   GroundStress below_line(double x, double y) const;
 
   std::vector<Piece> pieces_;  // downwards
   double surface_, surcharge_;
   std::optional<scene::Water> water_;
+  struct Sea {
+    Places where;
+    double level;
+  };
+  std::vector<Sea> seas_;                        // of places that have a level from the beginning on
   std::vector<std::pair<double, double>> line_;  // from left to right; none: the surface is level
 };
 

@@ -8,10 +8,23 @@
 #include "protocol/ground/water_at_rest.hpp"
 
 namespace adit::fdm {
+namespace {
+
+// Whether a convex zone, whose corners run counter-clockwise, holds a point.
+bool contains(const Corners& zone, double x, double y) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    const std::size_t next = (c + 1) % 4;
+    if ((zone.x[next] - zone.x[c]) * (y - zone.y[c]) < (zone.y[next] - zone.y[c]) * (x - zone.x[c]))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 WaterAtRest::WaterAtRest(const scene::Water& water, const Grid& grid,
                          std::span<const FreeFieldColumn> columns, std::uint32_t stage)
-    : water_(&water) {
+    : water_(&water), grid_(&grid) {
   for (int i = 0; i < water.places_size(); ++i) {
     const scene::WaterPlace& stated = water.places(i);
     if (stated.stage() > stage) continue;
@@ -29,21 +42,39 @@ std::vector<double> WaterAtRest::pressures(const Grid& grid) const {
   std::vector<double> pressures;
   for (std::size_t z = 0; z < grid.zones.size(); ++z) {
     const double y = centroid(corners(grid, z))[1];
-    double pressure = protocol::pressure_at_rest(*water_, water_->level(), y);
+    double pressure = pressure_below(water_->level(), y);
     for (const auto& [stated, zones, around] : places_)
       if (zones[z])
-        pressure = stated->has_pressure() ? stated->pressure()
-                                          : protocol::pressure_at_rest(*water_, stated->level(), y);
+        pressure = stated->has_pressure() ? stated->pressure() : pressure_below(stated->level(), y);
     pressures.push_back(pressure);
   }
   return pressures;
 }
 
-double WaterAtRest::level_on(std::uint32_t zone, double x, double y) const {
-  double level = water_->level();
-  for (const auto& [stated, zones, around] : places_)
-    if (stated->has_level() && (zones[zone] || (around && around->hold(x, y)))) level = stated->level();
+double WaterAtRest::pressure_below(double level, double y) const {
+  return protocol::pressure_at_rest(*water_, level, y);
+}
+
+bool WaterAtRest::holds(const Place& place, double x, double y) const {
+  if (place.around) return place.around->hold(x, y);
+  for (std::size_t z = 0; z < grid_->own_zones(); ++z)
+    if (place.zones[z] && contains(corners(*grid_, z), x, y)) return true;
+  return false;
+}
+
+template <class Statement>
+std::optional<double> WaterAtRest::last_level(Statement&& statement) const {
+  std::optional<double> level;
+  for (const Place& place : places_)
+    if (place.stated->has_level() && statement(place)) level = place.stated->level();
   return level;
+}
+
+double WaterAtRest::level_at(double x, double y, std::optional<std::uint32_t> above) const {
+  if (const auto level = last_level([&](const Place& place) { return holds(place, x, y); })) return *level;
+  if (above)
+    if (const auto level = last_level([&](const Place& place) { return place.zones[*above]; })) return *level;
+  return water_->level();
 }
 
 std::vector<bool> WaterAtRest::used() const {

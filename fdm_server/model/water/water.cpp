@@ -141,9 +141,11 @@ std::optional<Flow> resolve_flow(const scene::Scene& scene, const Grid& grid, co
   }
   if (std::ranges::max(along_x) == 0) return std::nullopt;
   std::vector<PointPair> open;
-  for (const WetSide& side : sides_under_sea(water, grid, weights, shares)) open.push_back(side.points);
+  for (const WetSide& side : sides_under_sea(water, grid, weights, shares))
+    if (side.whole) open.push_back(side.points);
   for (const FreeFieldColumn& column : columns)
-    if (grid.y[column.top()] <= level_on(water, grid, column)) open.push_back({column.top(), column.top()});
+    if (is_below(grid.y[column.top()], level_on(water, grid, column), grid))
+      open.push_back({column.top(), column.top()});
   const std::vector<bool> porous = have_pores(ground);
   for (std::size_t z = 0; z < grid.zones.size(); ++z)  // whose sides may lead into zones with water
     if (weights[z] > 0 && ground.material(z).water_stiffness() == 0 && porous[ground.of_zone[z]])

@@ -62,5 +62,5 @@ class Scale:
     def beyond(self, unit):
         """A text on the values outside the scale; empty if there are none."""
         ends = (("above", self._above, "up to", self.greatest), ("below", self._below, "down to", self.least))
-        told = [f"{outside:,} {side}, {until} {number(end)} {unit}" for side, outside, until, end in ends if outside]
-        return f"Beyond the scale of colours: {'; '.join(told)}" if told else ""
+        told = [f"{outside:,} {side}, {until} {number(end)}" for side, outside, until, end in ends if outside]
+        return f"Beyond the scale of colours: {'; '.join(told)} {unit}" if told else ""

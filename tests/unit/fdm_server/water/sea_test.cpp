@@ -43,7 +43,7 @@ struct Bed {
   }
   Load load(const std::string& water) const {
     const scene::Water stated = water_of(water);
-    return weight_of_sea(stated, WaterAtRest(stated, grid, {}, 1), grid, weights, shares, {});
+    return weight_of_sea(WaterAtRest(stated, grid, {}, 1), grid, weights, shares, {});
   }
   // Of the load on points within these ends.
   static std::array<double, 2> sum(const Grid& grid, const Load& load, const Ends& place) {
@@ -79,18 +79,39 @@ TEST(Sea, LeavesDryWhatLiesBelowGround) {
   EXPECT_EQ(Bed::sum(bed.grid, bed.load("level: 5"), kAll), before) << "faces of interfaces touch";
 }
 
-// The pit is a place, or the ground around it is: in neither the general level counts.
+// The pit is a place by its sides, by the ground below it, or by a group that was excavated: its floor and
+// its walls are dry, and the ground behind them does not count.
 TEST(Sea, HasTheLevelOfThePlaceThere) {
   Bed bed;
   bed.take({3, 7, -4, 0});
-  for (const std::string where : {"x_min: 3 x_max: 7", "x_min: 3 x_max: 7 y_max: -4 y_min: -8"}) {
-    const Load load = bed.load("level: 0 places { where { " + where + " } level: -5 }");
-    EXPECT_NEAR(Bed::sum(bed.grid, load, kAll)[1], 0, 1e-9) << where;
+  bed.grid.groups.push_back({"pit", {}, {}});
+  for (std::uint32_t z = 0; z < bed.weights.size(); ++z)
+    if (bed.weights[z] == 0) bed.grid.groups[0].zones.push_back(z);
+  const std::string behind = " places { where { x_max: 3 } level: 0 }";
+  for (const std::string where :
+       {"x_min: 3 x_max: 7", "x_min: 3 x_max: 7 y_max: -4 y_min: -8", "group: 'pit'"}) {
+    const std::string pit = " places { where { " + where + " } level: -5 }";
+    for (const Load& load : {bed.load("level: 0" + pit), bed.load("level: 0" + behind + pit),
+                             bed.load("level: 0" + pit + behind)})
+      for (const double force : Bed::sum(bed.grid, load, {0, 4, -8, 0})) EXPECT_NEAR(force, 0, 1e-9) << where;
   }
   const Load load = bed.load("level: 0 places { where { x_min: 3 x_max: 7 } level: -2 }");
   EXPECT_NEAR(Bed::sum(bed.grid, load, kAll)[1], -kWeight * 4 * 2, 1e-6);
   EXPECT_NEAR(Bed::sum(bed.grid, load, {0, 4, -8, 0})[0], -kWeight * 2 * 1, 1e-6)
       << "the lower 2 m of the wall";
+}
+
+// A level within a side: its force and its moment about the lower end are those of the triangle below it.
+TEST(Sea, PressesOnTheSubmergedPartOfASide) {
+  Bed bed;
+  bed.take({3, 7, -4, 0});
+  const Load load = bed.load("level: -1.6");
+  const double force = -kWeight * 2.4 * 2.4 / 2;
+  EXPECT_NEAR(Bed::sum(bed.grid, load, {3, 3, -4, 0})[0], force, 1e-6);
+  double moment = 0;
+  for (std::size_t k = 0; k < load.points.size(); ++k)
+    if (bed.grid.x[load.points[k]] == 3) moment += (bed.grid.y[load.points[k]] + 4) * load.fx[k];
+  EXPECT_NEAR(moment, force * 0.8, 1e-6);
 }
 
 TEST(Sea, IsBorneByTheModelThatHasTheWeight) {

@@ -105,6 +105,19 @@ TEST(StatedStress, BearsTheSeaAboveASlope) {
   EXPECT_NEAR(foot.xx + pore, (foot.yy + pore) / 2, 1e-6);
 }
 
+// A place that has a level of its own from the beginning on changes what stands on the ground there.
+TEST(StatedStress, BearsTheSeaOfEachPlace) {
+  scene::Water water;
+  water.set_level(5);
+  scene::WaterPlace& place = *water.add_places();
+  place.mutable_where()->set_x_max(10);
+  place.set_level(-4);
+  const StatedStress stated(parse("surface: 0 layers { bottom: -10 density: 2000 k0: 0.5 }"), &water);
+  const double ground = 2000 * kStandardGravity, sea = 1000 * kStandardGravity;
+  EXPECT_NEAR(stated.at(3, -6).yy, -6 * ground, 1e-6);
+  EXPECT_NEAR(stated.at(12, -6).yy, -(5 * sea + 6 * ground), 1e-6);
+}
+
 TEST(StatedStress, RefusesWhatContradictsItself) {
   const std::string layer = "layers { bottom: -1 density: 2000 k0: 0.5 } ";
   const auto refuse = [](const std::string& text, const std::string& path, const std::string& says) {
