@@ -539,6 +539,7 @@ void FdmParticipant::exchange_solver(state::Archive& archive) {
 
 void FdmParticipant::finish(wire::Bye& bye) {
   bye.set_updates(updates_);
+  if (!continuum_) return;  // a run may end before it is weighed
   add_figures(grid_, "lining", supports_.linings, peak_forces_, peak_use_, bye);
   add_figures(grid_, "member", supports_.members, member_forces_, member_use_, bye);
   add_figures(grid_, supports_.linings, peak_joints_, bye);
