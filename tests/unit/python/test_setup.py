@@ -136,6 +136,13 @@ class Setup(PictureTest):
         figure, _ = self.drawn({"grid": zones, "particles": discs}, *members, water={"level": 4.5})
         self.assertAlmostEqual(sum(areas_of(figure.axes[0], water.SEA)), 4 * 0.5 + 4 * 1.0, delta=0.05)
 
+    def test_ground_whose_place_has_a_lower_level_from_the_beginning_is_dry(self):
+        member = Member("", "continuum", {}, {})
+        for stage, area in (({}, 2 * 2), ({"stage": 1}, 4 * 2)):
+            places = [{"where": {"x_max": 2}, "level": 1.0, **stage}]
+            figure, _ = self.drawn({"grid": block(4, material=np.zeros(16))}, member, water={"level": 6.0, "places": places})
+            self.assertAlmostEqual(sum(areas_of(figure.axes[0], water.SEA)), area, delta=0.05)
+
     def test_places_with_water_of_their_own_are_told_with_level_or_pressure_and_stage(self):
         grid = block(4, group=np.repeat([1, 2], 8), material=np.zeros(16))
         member = Member("", "continuum", {"blocks": [{"name": "bench"}, {"name": "heading"}]}, {})

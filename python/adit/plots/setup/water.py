@@ -27,7 +27,8 @@ def draw(axes, members, pieces, water):
         return []
     ground = np.concatenate([_spans(member, pieces[member.piece]) for member in members if member.piece in pieces])
     handles = _draw_level(axes, water["level"], ground[..., 0], "water level", color=style.BLUE)
-    handles += _draw_sea(axes, water["level"], ground)
+    x = np.linspace(ground[..., 0].min(), ground[..., 0].max(), COLUMNS)
+    handles += _draw_sea(axes, x, _levels(x, water, members, pieces), ground)
     for number, place in enumerate(water.get("places", [])):
         handles += _draw_place(axes, members, pieces, place, PLACES[number % len(PLACES)])
     return handles
@@ -45,14 +46,24 @@ def _draw_level(axes, level, x, of, **look):
     return [Line2D([], [], lw=1.3, marker="v", ms=6, mfc="white", label=f"{of}: y = {level:.4g} m", **look)]
 
 
-def _draw_sea(axes, level, ground):
+def _levels(x, water, members, pieces):
+    """The level at each x: that of the last place there that has one from the beginning on, else the general one."""
+    levels = np.full(len(x), float(water["level"]))
+    for place in water.get("places", []):
+        if "level" not in place or place.get("stage", 0) > 0:
+            continue
+        for corners in _all_zones(place, members, pieces):
+            levels[(corners[:, 0].min() <= x) & (x <= corners[:, 0].max())] = place["level"]
+    return levels
+
+
+def _draw_sea(axes, x, levels, ground):
     """The water that stands on the ground; openings are dry."""
-    x = np.linspace(ground[..., 0].min(), ground[..., 0].max(), COLUMNS)
     top = _top(x, ground)
-    wet = top < level
+    wet = top < levels
     if not wet.any():
         return []
-    axes.fill_between(x, np.where(wet, top, level), level, where=wet, step="mid", fc=SEA, lw=0, zorder=0)
+    axes.fill_between(x, np.where(wet, top, levels), levels, where=wet, step="mid", fc=SEA, lw=0, zorder=0)
     return [Patch(fc=SEA, label="water above the ground")]
 
 
@@ -81,8 +92,7 @@ def _spans(member, piece):
 
 def _draw_place(axes, members, pieces, place, colour):
     """Its zones, shaded, and where it states a level, this line over them."""
-    corners = [zones for member in members if member.is_grid and member.piece in pieces
-               for zones in _zones(place["where"], pieces[member.piece], member)]
+    corners = _all_zones(place, members, pieces)
     look = {"fc": colour, "alpha": 0.25, "lw": 0}
     axes.add_collection(PolyCollection(corners, zorder=1.3, antialiased=False, **look))
     if "pressure" in place:
@@ -91,6 +101,11 @@ def _draw_place(axes, members, pieces, place, colour):
         return []
     level = _draw_level(axes, place["level"], np.array(corners)[:, :, 0], f"its level{in_stages([place])}", color=colour, ls=(0, (4, 1.5)))
     return [Patch(label="water of its own level", **look), *level]
+
+
+def _all_zones(place, members, pieces):
+    return [zones for member in members if member.is_grid and member.piece in pieces
+            for zones in _zones(place["where"], pieces[member.piece], member)]
 
 
 def _zones(area, grid, member):
