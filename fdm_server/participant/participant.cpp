@@ -215,7 +215,7 @@ void FdmParticipant::make_continuum() {
     for (const DashpotShare& share : dashpot.shares) absorbing_[share.zone] = true;
 
   ZoneSet zones(setup_.kind, grid_, setup_.ground, weights_);
-  if (scene_.has_water()) zones.set_rest(water_at_rest().pressures(grid_));
+  if (scene_.has_water()) zones.set_rest(water_at_rest().pressures());
   if (scene_.has_initial_stress()) set_initial_stress(scene_, grid_, zones);
   const auto masses = this->masses();
   continuum_ = std::make_unique<Continuum>(std::move(zones), masses, loads(masses), std::move(motions),

@@ -41,7 +41,7 @@ void FdmParticipant::begin_stage(std::uint32_t stage) {
     continuum_->renew(setup_.kind, grid_, setup_.ground, renewed);
     zone_steps_.clear();
   }
-  if (scene_.has_water()) continuum_->zones().set_rest(water_at_rest().pressures(grid_));
+  if (scene_.has_water()) continuum_->zones().set_rest(water_at_rest().pressures());
   scaled_ = false;
   if (relaxes_) set_masses();  // of the contacts that stand now
   relaxation_.emplace(grid_, weights_);

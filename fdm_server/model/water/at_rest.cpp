@@ -4,24 +4,11 @@
 
 #include <algorithm>
 
+#include "fdm_server/grid/locate.hpp"
 #include "fdm_server/model/grid/selection.hpp"
 #include "protocol/ground/water_at_rest.hpp"
 
 namespace adit::fdm {
-namespace {
-
-// Whether a convex zone, whose corners run counter-clockwise, holds a point.
-bool contains(const Corners& zone, double x, double y) {
-  for (std::size_t c = 0; c < 4; ++c) {
-    const std::size_t next = (c + 1) % 4;
-    if ((zone.x[next] - zone.x[c]) * (y - zone.y[c]) < (zone.y[next] - zone.y[c]) * (x - zone.x[c]))
-      return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 WaterAtRest::WaterAtRest(const scene::Water& water, const Grid& grid,
                          std::span<const FreeFieldColumn> columns, std::uint32_t stage)
     : water_(&water), grid_(&grid) {
@@ -34,14 +21,17 @@ WaterAtRest::WaterAtRest(const scene::Water& water, const Grid& grid,
     for (const FreeFieldColumn& column : columns)
       for (std::size_t k = 0; k < column.edges.size(); ++k)
         place.zones[column.zone(k)] = place.zones[column.edges[k].zone];
-    if (!stated.where().has_group()) place.around.emplace(stated.where(), path, tolerance(grid));
+    if (!stated.where().has_group())
+      place.around.emplace(stated.where(), path, tolerance(grid));
+    else if (!locator_)
+      locator_ = std::make_shared<ZoneLocator>(grid);
   }
 }
 
-std::vector<double> WaterAtRest::pressures(const Grid& grid) const {
+std::vector<double> WaterAtRest::pressures() const {
   std::vector<double> pressures;
-  for (std::size_t z = 0; z < grid.zones.size(); ++z) {
-    const double y = centroid(corners(grid, z))[1];
+  for (std::size_t z = 0; z < grid_->zones.size(); ++z) {
+    const double y = centroid(corners(*grid_, z))[1];
     double pressure = pressure_below(water_->level(), y);
     for (const auto& [stated, zones, around] : places_)
       if (zones[z])
@@ -57,9 +47,8 @@ double WaterAtRest::pressure_below(double level, double y) const {
 
 bool WaterAtRest::holds(const Place& place, double x, double y) const {
   if (place.around) return place.around->hold(x, y);
-  for (std::size_t z = 0; z < grid_->own_zones(); ++z)
-    if (place.zones[z] && contains(corners(*grid_, z), x, y)) return true;
-  return false;
+  const auto found = locator_->locate(x, y);
+  return found && place.zones[found->zone];
 }
 
 template <class Statement>

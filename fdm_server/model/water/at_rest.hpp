@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +15,8 @@
 
 namespace adit::fdm {
 
+class ZoneLocator;
+
 class WaterAtRest {
  public:
   // Columns have the water of the side that they go on from. UserError at the place that selects badly.
@@ -21,7 +24,7 @@ class WaterAtRest {
               std::uint32_t stage);
 
   // At the centre of each zone [Pa]; 0 above the level.
-  std::vector<double> pressures(const Grid& grid) const;
+  std::vector<double> pressures() const;
   // At the height y below a level [Pa]; 0 above it.
   double pressure_below(double level, double y) const;
 
@@ -47,6 +50,7 @@ class WaterAtRest {
   const scene::Water* water_;
   const Grid* grid_;
   std::vector<Place> places_;
+  std::shared_ptr<const ZoneLocator> locator_;  // where a place is a group
 };
 
 }  // namespace adit::fdm

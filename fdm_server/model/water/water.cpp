@@ -101,7 +101,7 @@ void fill_pores(const scene::Scene& scene, const Grid& grid, Ground& ground) {
   if (!scene.has_water()) return;
   std::vector<bool> ever(ground.of_zone.size(), false), at_last = ever;
   for (const std::uint32_t stage : protocol::stages_of(scene)) {
-    const auto pressures = WaterAtRest(scene.water(), grid, {}, stage).pressures(grid);
+    const auto pressures = WaterAtRest(scene.water(), grid, {}, stage).pressures();
     for (std::size_t z = 0; z < pressures.size(); ++z) {
       at_last[z] = pressures[z] > 0;
       ever[z] = ever[z] || at_last[z];
