@@ -89,10 +89,11 @@ void RoundTrip::run(const wire::Advance& request, const std::function<void()>& m
   {
     const Stopwatch waiting(cost_.wait);
     sort_slowest_first(order_);
-    for (Participant* participant : order_) post_advance(*participant, request);
+    for (Participant* participant : order_)
+      if (!participant->waits) post_advance(*participant, request);
     meanwhile();
     for (auto participant = order_.rbegin(); participant != order_.rend(); ++participant)
-      receive_prediction(**participant);
+      if (!(*participant)->waits) receive_prediction(**participant);
   }
   if (model_.constraint) solve();
 }

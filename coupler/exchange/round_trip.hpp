@@ -59,8 +59,8 @@ class RoundTrip {
  public:
   RoundTrip(Model& model, StepCost& cost);
 
-  // Sends the request with the pending corrections, waits for all predictions, and leaves new corrections
-  // pending. `meanwhile` is done while the participants compute.
+  // Sends the request with the pending corrections, waits for all predictions but those of participants that
+  // wait, and leaves new corrections pending. `meanwhile` is done while the participants compute.
   void run(
       const wire::Advance& request, const std::function<void()>& meanwhile = [] {});
 

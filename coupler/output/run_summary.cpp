@@ -192,27 +192,30 @@ void RunSummary::add_waiting(const Stepper& stepper) {
   const CondensedRegions& regions = stepper.regions();
   if (!regions.asked()) return;
   summary_.set("particles_followed", regions.followings());
-  const auto& beginning = regions.beginning();
-  if (!beginning) {
-    lines_.push_back(fmt::format(
-        "particles          waited to the end: the demand stayed below that of `begin`, looked at {} times",
-        regions.followings()));
-    return;
-  }
-  const double time = static_cast<double>(beginning->step) * model_.dt;
-  summary_.set("particles_began_s", time);
-  summary_.set("particles_began_demand", beginning->demand);
-  summary_.set("particles_began_region", beginning->region);
-  if (!beginning->reason.empty()) {
-    summary_.set("particles_began_because", beginning->reason);
+  bool any_began = false;
+  for (const auto& [region, beginning] : regions.stories()) {
+    if (!beginning) {
+      lines_.push_back(fmt::format(
+          "{:<18} waited to the end: the demand stayed below that of `begin`, looked at {} times", region,
+          regions.followings()));
+      continue;
+    }
+    const double time = static_cast<double>(beginning->step) * model_.dt;
+    summary_.set(region + "_began_s", time);
+    summary_.set(region + "_began_demand", beginning->demand);
+    if (!beginning->reason.empty()) {
+      summary_.set(region + "_began_because", beginning->reason);
+      lines_.push_back(fmt::format("{:<18} could not wait: {}", region, beginning->reason));
+      continue;
+    }
+    any_began = true;
     lines_.push_back(
-        fmt::format("particles          could not wait: {}: {}", beginning->region, beginning->reason));
-    return;
+        fmt::format("{:<18} began at {:.4g} s, with a demand of {:.2g}", region, time, beginning->demand));
   }
+  if (!any_began) return;
   summary_.set("particles_began_energy_change", stepper.ledger().change());
-  lines_.push_back(fmt::format(
-      "particles          began at {:.4g} s, with a demand of {:.2g} in `{}`; the energy changed by {:.1e}",
-      time, beginning->demand, beginning->region, stepper.ledger().change()));
+  lines_.push_back(fmt::format("{:<18} the energy changed by {:.1e} where particles began", "",
+                               stepper.ledger().change()));
 }
 
 // Participants choose their names, so that one may be taken already.

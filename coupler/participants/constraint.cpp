@@ -173,6 +173,8 @@ void Constraint::read(const std::vector<Participant>& participants, Part part,
 void Constraint::solve(std::span<const double> coarse, std::span<const double> fine,
                        std::span<double> multipliers) {
   solve_->solve(coarse, fine, multipliers);
+  for (const auto& [begin, end] : idle_)
+    std::ranges::fill(multipliers.subspan(2 * begin, 2 * (end - begin)), 0.0);
   if (protocol::all_finite(multipliers)) return;
   const auto largest = [](std::span<const double> velocities) {
     return std::abs(std::ranges::max(velocities, {}, [](double v) { return std::abs(v); }));
@@ -193,6 +195,19 @@ void Constraint::assign(std::span<const double> multipliers, double factor, Part
       for (std::size_t i = 0; i < 2 * segment.count; ++i)
         impulses[i] = signed_factor * participant.step_ratio * multipliers[2 * segment.global + i];
     }
+}
+
+void Constraint::set_idle(std::size_t begin, std::size_t end, bool idle) {
+  if (idle)
+    idle_[begin] = end;
+  else
+    idle_.erase(begin);
+}
+
+void Constraint::close_idle(std::span<const double> coarse, std::span<double> fine) const {
+  for (const auto& [begin, end] : idle_)
+    std::ranges::copy(coarse.subspan(2 * begin, 2 * (end - begin)),
+                      fine.begin() + static_cast<std::ptrdiff_t>(2 * begin));
 }
 
 void Constraint::correct_coarse(std::span<const double> multipliers, std::span<double> velocities) {

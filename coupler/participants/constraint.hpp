@@ -3,6 +3,7 @@
 // of the model's clock (Participant::step_ratio).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -39,6 +40,11 @@ class Constraint {
   void assign(std::span<const double> multipliers, double factor, Part part,
               std::vector<Participant>& participants) const;
 
+  // Whether the fine side waits, condensed, at these coupling points. There are no multipliers there then.
+  void set_idle(std::size_t begin, std::size_t end, bool idle);
+  // The fine velocities there become the coarse ones, so that they leave no gap.
+  void close_idle(std::span<const double> coarse, std::span<double> fine) const;
+
   // velocities −= N M⁻¹ Nᵀ λ: what −λ does to the coarse velocities at the coupling points.
   void correct_coarse(std::span<const double> multipliers, std::span<double> velocities);
 
@@ -47,6 +53,7 @@ class Constraint {
  private:
   Interpolation coarse_;  // N and M of all coarse sides in one numbering
   std::unique_ptr<MultiplierSolve> solve_;
+  std::map<std::size_t, std::size_t> idle_;  // coupling points from the first to before the second
   std::vector<double> own_, at_points_;  // scratch
 };
 

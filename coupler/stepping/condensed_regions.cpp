@@ -21,14 +21,6 @@ constexpr double kSafety = 1.5;        // of the largest rate of the demand so f
 // a cell; and what is little beside a round trip.
 constexpr double kNumber = 1.6e-9, kParticleStep = 0.15e-6, kLittle = 0.2e-3;
 
-// Visits the grid's segments that are also the particles'.
-template <class Visit>
-void for_each_shared(const Participant& grid, const Participant& particles, Visit&& visit) {
-  for (const Segment& segment : grid.segments)
-    for (const Segment& its : particles.segments)
-      if (its.global == segment.global) visit(segment);
-}
-
 Eigen::Map<const Eigen::VectorXd> as_vector(const google::protobuf::RepeatedField<double>& values) {
   return {values.data(), values.size()};
 }
@@ -49,87 +41,96 @@ void assign(google::protobuf::RepeatedField<double>& field, const Eigen::VectorX
 
 CondensedRegions::CondensedRegions(Model& model, Ledger& ledger, StepCost& cost)
     : model_(model), ledger_(ledger), cost_(cost) {
-  const Participant* other = nullptr;
   for (std::size_t s = 0; s < model.participants.size(); ++s) {
     const Participant& participant = model.participants[s];
     if (participant.member.role != Role::kParticles) continue;
     const scene::Particles& particles = particles_of(model.scene, participant.member);
-    const std::string path = participant.member.path + ".begin";
-    if (!particles.has_begin()) {
-      other = &participant;
-      continue;
-    }
+    if (!particles.has_begin()) continue;
     std::vector<const Interface*> joined;
     for (const Interface& interface : model.interfaces)
       if (interface.fine == s || interface.coarse == s) joined.push_back(&interface);
     if (joined.size() != 1 || model.participants[joined[0]->coarse].member.role != Role::kContinuum)
-      throw protocol::UserError(path,
+      throw protocol::UserError(participant.member.path + ".begin",
                                 "is for particles that one interface joins to a continuum; leave it out");
     Region& region = regions_.emplace_back();
     region.particles = s;
     region.grid = joined[0]->coarse;
+    region.begin = joined[0]->begin;
+    region.end = joined[0]->end;
     region.share = particles.begin().demand();
   }
-  waits_ = !regions_.empty();
-  if (waits_ && other != nullptr)
-    throw protocol::UserError(
-        other->member.path + ".begin",
-        "is missing, but other regions of the scene wait, and all begin at once; give it to all "
-        "of them, or to none");
+}
+
+bool CondensedRegions::any_wait() const {
+  return std::ranges::any_of(regions_, &Region::waits);
+}
+
+bool CondensedRegions::nothing_but_they_move() const {
+  return any_wait() && std::ranges::all_of(model_.participants, [](const Participant& participant) {
+           return participant.member.role != Role::kParticles || participant.waits;
+         });
 }
 
 // All are asked before the first answer is read.
 void CondensedRegions::condense() {
   condensed_ = true;
   for (Region& region : regions_) {
+    if (!region.waits) continue;
     Participant& particles = model_.participants[region.particles];
     find_masters(region, *particles.request.mutable_condense());
     for (const std::string& reason : {why_not_moved(region), costs_more(region)})
-      if (!reason.empty()) return cannot_wait(region, reason);
+      if (!reason.empty() && region.waits) begin(region, {0, 1, reason});
   }
   for (const Region& region : regions_) {
+    if (!region.waits) continue;
     Participant& particles = model_.participants[region.particles];
     particles.drift.reset();
     particles.connection->post(particles.request);
   }
   for (Region& region : regions_) {
+    if (!region.waits) continue;
     Participant& particles = model_.participants[region.particles];
     const protocol::Waiting waiting(fmt::format("{} condenses its model", particles.connection->name()),
                                     [&] { return particles.connection->progress(); });
     collect(particles, wire::Frame::kCondensed);
     const wire::Condensed& told = particles.reply.condensed();
-    if (!told.reason().empty())
-      cannot_wait(region, told.reason());
-    else if (waits_)
-      read(region, told);
+    if (!told.reason().empty()) {
+      begin(region, {0, 1, told.reason()});
+      continue;
+    }
+    read(region, told);
+    set_waits(region, true);
   }
 }
 
-void CondensedRegions::cannot_wait(const Region& region, const std::string& reason) {
-  if (waits_) beginning_ = {0, 1, model_.participants[region.particles].member.name, reason};
-  waits_ = false;
+void CondensedRegions::begin(Region& region, const Beginning& beginning) {
+  region.beginning = beginning;
+  set_waits(region, false);
+}
+
+void CondensedRegions::set_waits(Region& region, bool waits) {
+  region.waits = model_.participants[region.particles].waits = waits;
+  model_.constraint->set_idle(region.begin, region.end, waits);
 }
 
 // The masters are numbered as they come in the rows of N.
 void CondensedRegions::find_masters(Region& region, wire::Condense& request) const {
-  const Participant &particles = model_.participants[region.particles],
-                    &grid = model_.participants[region.grid];
+  const Participant& grid = model_.participants[region.grid];
   std::map<std::uint32_t, std::uint32_t> number;  // of a master, by its number among the grid's own points
   request.Clear();
   request.add_row_starts(0);
   region.own.clear();
-  for_each_shared(grid, particles, [&](const Segment& segment) {
-    for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row) {
-      const auto columns = grid.interpolation->columns(row);
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        const auto [found, added] = number.try_emplace(columns[k], static_cast<std::uint32_t>(number.size()));
-        if (added) region.own.push_back(columns[k]);
-        request.add_columns(found->second);
-        request.add_values(grid.interpolation->values(row)[k]);
-      }
-      request.add_row_starts(static_cast<std::uint32_t>(request.columns_size()));
+  const Segment& segment = *std::ranges::find(grid.segments, region.begin, &Segment::global);
+  for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row) {
+    const auto columns = grid.interpolation->columns(row);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const auto [found, added] = number.try_emplace(columns[k], static_cast<std::uint32_t>(number.size()));
+      if (added) region.own.push_back(columns[k]);
+      request.add_columns(found->second);
+      request.add_values(grid.interpolation->values(row)[k]);
     }
-  });
+    request.add_row_starts(static_cast<std::uint32_t>(request.columns_size()));
+  }
   request.set_masters(static_cast<std::uint32_t>(region.own.size()));
   std::map<std::size_t, std::size_t> place;  // of a grid's own point, among its coupling points
   for (std::size_t k = grid.nodes_begin; k < grid.places.size() / 2; ++k)
@@ -139,18 +140,25 @@ void CondensedRegions::find_masters(Region& region, wire::Condense& request) con
     region.place.push_back(place.contains(own) ? place[own] : kNowhere);
 }
 
-// Two regions that share a point of the grid would have to be solved for together.
+// What shares a point of the grid would have to be solved for together.
 std::string CondensedRegions::why_not_moved(const Region& region) const {
   if (std::ranges::find(region.place, kNowhere) != region.place.end())
     return "its overlap is narrower than a zone, and grid points that move it lie beyond its width";
-  for (const Region& other : regions_) {
-    if (&other == &region) break;
-    if (other.grid == region.grid && std::ranges::any_of(region.own, [&](std::size_t own) {
-          return std::ranges::find(other.own, own) != other.own.end();
-        }))
-      return fmt::format("the same zone moves it and `{}`", model_.participants[other.particles].member.name);
+  const Participant& grid = model_.participants[region.grid];
+  const auto moves_it = [&](std::size_t own) { return std::ranges::find(region.own, own) != region.own.end(); };
+  for (const Segment& segment : grid.segments) {
+    if (segment.global == region.begin) continue;
+    for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row)
+      if (std::ranges::any_of(grid.interpolation->columns(row), moves_it))
+        return fmt::format("the same zone moves it and `{}`", other_side(region.grid, segment));
   }
   return {};
+}
+
+// The participant that an interface of this one joins to it.
+const std::string& CondensedRegions::other_side(std::size_t participant, const Segment& segment) const {
+  const auto joining = std::ranges::find(model_.interfaces, segment.global, &Interface::begin);
+  return model_.participants[joining->coarse == participant ? joining->fine : joining->coarse].member.name;
 }
 
 // A step of full matrices against as many steps of the particles as it replaces.
@@ -212,38 +220,49 @@ void CondensedRegions::read(Region& region, const wire::Condensed& told) {
   if (!goes_on) region.demand = told.demand();
 }
 
-std::optional<GridMotion> CondensedRegions::step(std::uint64_t n, Wanted wanted) {
+void CondensedRegions::step(std::uint64_t n, Wanted wanted) {
   fill_request(request_, n, model_.dt, wanted);
-  ask(Role::kContinuum);
-  {
-    const Stopwatch solving(cost_.solve);
+  const auto each_grid = [this](auto&& visit) {
     for (Participant& participant : model_.participants)
-      if (participant.member.role == Role::kContinuum) std::ranges::fill(participant.correction.renew(), 0.0);
-    for (Region& region : regions_) move(region, n);
-    book_grids(wanted);
+      if (participant.member.role == Role::kContinuum) visit(participant);
+  };
+  {
+    const Stopwatch waiting(cost_.wait);
+    each_grid([this](Participant& grid) { post_advance(grid, request_); });
+    each_grid(receive_prediction);
   }
-  const bool near =
-      std::ranges::any_of(regions_, [this](const Region& region) { return may_be_near(region); });
+  each_grid([](Participant& grid) { std::ranges::fill(grid.correction.renew(), 0.0); });
+  move(n);
+  book_grids(wanted);
+}
+
+void CondensedRegions::move(std::uint64_t n) {
+  const Stopwatch solving(cost_.solve);
+  for (Region& region : regions_)
+    if (region.waits) move(region, n);
+}
+
+void CondensedRegions::look(std::uint64_t n, Wanted wanted) {
+  if (!any_wait()) return;
+  const bool near = std::ranges::any_of(
+      regions_, [](const Region& region) { return region.waits && may_be_near(region); });
   const bool due = n % std::max<std::uint64_t>(1, model_.steps / kLooks) == 0;
   reached_ = n;
   told_ = false;
   if (due || near || wanted.histories || wanted.peaks) follow(wanted);
-  if (wanted.energies) {
-    for (const Region& region : regions_) ledger_.take_condensed(region.particles, energies_of(region));
-    ledger_.compare();
-  }
-  const auto first =
-      std::ranges::find_if(regions_, [](const Region& region) { return region.demand >= region.share; });
-  if (first == regions_.end()) return std::nullopt;
-  return begin(n, *first);
+  if (!wanted.energies) return;
+  for (const Region& region : regions_)
+    if (region.waits) ledger_.take_condensed(region.particles, energies_of(region));
 }
 
-void CondensedRegions::ask(Role role) {
-  const Stopwatch waiting(cost_.wait);
-  for (Participant& participant : model_.participants)
-    if (participant.member.role == role) post_advance(participant, request_);
-  for (Participant& participant : model_.participants)
-    if (participant.member.role == role) receive_prediction(participant);
+std::vector<GridMotion> CondensedRegions::begin_near(std::uint64_t n) {
+  std::vector<GridMotion> motions;
+  for (Region& region : regions_) {
+    if (!region.waits || region.demand < region.share) continue;
+    begin(region, {n, region.demand});
+    motions.push_back(begin_moving(region));
+  }
+  return motions;
 }
 
 // At the prescribed points of the grid the region is moved; what that takes is told to the grid as well.
@@ -279,7 +298,7 @@ void CondensedRegions::move(Region& region, std::uint64_t n) {
     region.work += 0.5 * region.before.dot(region.impulses + impulses);
     region.impulses = impulses;
   }
-  const std::span<double> corrections = grid.correction.renew();
+  const std::span<double> corrections = grid.correction.impulses_from(0);
   for (Eigen::Index k = 0; k < size; ++k) corrections[region.at(k)] = -impulses[k];
 }
 
@@ -313,6 +332,7 @@ void CondensedRegions::follow(Wanted wanted) {
   fill_request(request_, reached_ * model_.substeps, particles_dt(), wanted);
   const double share = 0.5 / model_.substeps;
   for (const Region& region : regions_) {
+    if (!region.waits) continue;
     Participant& particles = model_.participants[region.particles];
     particles.correction.withhold();
     wire::Following& following = *request_.mutable_follow();
@@ -323,6 +343,7 @@ void CondensedRegions::follow(Wanted wanted) {
   }
   const Stopwatch waiting(cost_.wait);
   for (Region& region : regions_) {
+    if (!region.waits) continue;
     Participant& particles = model_.participants[region.particles];
     receive_prediction(particles);
     particles.corrected = particles.predicted;
@@ -340,59 +361,59 @@ void CondensedRegions::follow(Wanted wanted) {
 // What the grid gets is as if it had been stepped by the other scheme all along: with several steps of the
 // particles in one of its own, its prediction is made of its velocity at the time of the step and half of its
 // own kick (shared_kick.hpp).
-GridMotion CondensedRegions::begin(std::uint64_t n, const Region& first) {
-  waits_ = false;
-  beginning_ = {n, first.demand, model_.participants[first.particles].member.name};
-  GridMotion motion{std::vector<double>(model_.coupling_points.size()),
-                    std::vector<double>(model_.coupling_points.size())};
-  for (const Region& region : regions_) {
-    Participant &grid = model_.participants[region.grid], &particles = model_.participants[region.particles];
-    ledger_.begin(region.particles, particles, region.work);
-    const Eigen::VectorXd velocities = region.velocities_after(0.5 / model_.substeps);
-    spread(region, velocities, motion.velocities);
-    spread(region, region.kick, motion.kicks);
-    if (model_.substeps == 1) continue;
-    const std::span<double> corrections = grid.correction.renew();
+GridMotion CondensedRegions::begin_moving(const Region& region) {
+  Participant &grid = model_.participants[region.grid], &particles = model_.participants[region.particles];
+  std::ranges::fill(particles.correction.renew(), 0.0);
+  particles.correction.withhold();
+  ledger_.begin(region.particles, particles, region.work);
+  const Eigen::VectorXd velocities = region.velocities_after(0.5 / model_.substeps);
+  if (model_.substeps > 1) {
+    const std::span<double> corrections = grid.correction.impulses_from(0);
+    grid.correction.withhold();  // the shared kick sends them
     for (Eigen::Index k = 0; k < region.mass.size(); ++k)
       if (!region.prescribed(k))
         corrections[region.at(k)] =
             region.mass[k] * (velocities[k] - region.before[k] - 0.5 * region.kick[k]);
   }
-  return motion;
+  return {region.begin, region.end, at_points(region, velocities), at_points(region, region.kick)};
 }
 
-// From the masters to the region's part of all coupling points.
-void CondensedRegions::spread(const Region& region, const Eigen::VectorXd& of_masters,
-                              std::vector<double>& at_points) const {
-  const Participant &grid = model_.participants[region.grid],
-                    &particles = model_.participants[region.particles];
+// From the masters to the region's coupling points.
+std::vector<double> CondensedRegions::at_points(const Region& region,
+                                                const Eigen::VectorXd& of_masters) const {
+  const Participant& grid = model_.participants[region.grid];
   std::vector<double> own(2 * grid.interpolation->own_points()), at_its(grid.places.size());
   for (std::size_t k = 0; k < region.own.size(); ++k)
     for (std::size_t component = 0; component < 2; ++component)
       own[2 * region.own[k] + component] = of_masters[static_cast<Eigen::Index>(2 * k + component)];
   grid.interpolation->interpolate(own, at_its);
-  for_each_shared(grid, particles, [&](const Segment& segment) {
-    std::copy_n(at_its.begin() + static_cast<std::ptrdiff_t>(2 * segment.begin), 2 * segment.count,
-                at_points.begin() + static_cast<std::ptrdiff_t>(2 * segment.global));
-  });
+  const auto segment = std::ranges::find(grid.segments, region.begin, &Segment::global);
+  const auto first = at_its.begin() + static_cast<std::ptrdiff_t>(2 * segment->begin);
+  return {first, first + static_cast<std::ptrdiff_t>(2 * segment->count)};
+}
+
+std::vector<CondensedRegions::Story> CondensedRegions::stories() const {
+  std::vector<Story> stories;
+  for (const Region& region : regions_)
+    stories.push_back({model_.participants[region.particles].member.name, region.beginning});
+  return stories;
 }
 
 void CondensedRegions::exchange(state::Archive& archive) {
-  archive("regions_wait", waits_);
   archive("followings", followings_);
   archive("regions_reached", reached_);
   archive("regions_told", told_);
-  bool began = beginning_.has_value();
-  archive("regions_began", began);
-  if (began) {
-    if (!beginning_) beginning_.emplace();
-    archive("beginning_step", beginning_->step);
-    archive("beginning_demand", beginning_->demand);
-    archive("beginning_region", beginning_->region);
-    archive("beginning_reason", beginning_->reason);
-  }
-  if (!waits_) return;
   for (Region& region : regions_) {
+    archive("region_waits", region.waits);
+    bool began = region.beginning.has_value();
+    archive("region_began", began);
+    if (began) {
+      if (!region.beginning) region.beginning.emplace();
+      archive("beginning_step", region.beginning->step);
+      archive("beginning_demand", region.beginning->demand);
+      archive("beginning_reason", region.beginning->reason);
+    }
+    if (!region.waits) continue;
     for (Eigen::VectorXd* vector :
          {&region.q, &region.before, &region.velocities, &region.impulses, &region.q_told}) {
       std::vector<double> values(vector->begin(), vector->end());

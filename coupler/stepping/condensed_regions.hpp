@@ -16,6 +16,9 @@
 //
 // Energy: with M' = M_c + ¼ dt² K_c the scheme is the leap-frog one of M', so that ½ V(n−½)·M' V(n+½) + ½
 // q·K_c q − p·q changes by the work of the grid's impulses exactly, as the ledger has it.
+//
+// Regions begin one after another: the points of the grid that move one that still waits have nothing to do
+// with the multipliers of the others, so that the scheme of those (stepper.hpp, shared_kick.hpp) goes on beside.
 #pragma once
 
 #include <Eigen/Dense>
@@ -32,42 +35,53 @@
 
 namespace adit::coupler {
 
-// How particles that waited began to be computed.
+// How a region that waited began to be computed.
 struct Beginning {
   std::uint64_t step;  // of the model
   double demand;
-  std::string region;
-  std::string reason = {};  // why none could wait; empty: the demand was reached
+  std::string reason = {};  // why it could not wait; empty: the demand was reached
 };
 
-// The motion of the grid at the coupling points when the particles begin, one pair each [m/s].
+// The motion of the grid at a region's coupling points, from the first to before the last of the model's, when
+// it begins; one pair each [m/s].
 struct GridMotion {
+  std::size_t begin, end;
   std::vector<double> velocities;  // half a step of the particles after the time of the step
   std::vector<double> kicks;       // by the grid's own forces, of a whole step
 };
 
 class CondensedRegions {
  public:
-  // Throws protocol::UserError at `begin` where some of the scene's regions wait and others do not, or one
-  // that waits is not joined to a continuum alone.
+  // Throws protocol::UserError at `begin` of a region that is not joined to a continuum alone.
   CondensedRegions(Model& model, Ledger& ledger, StepCost& cost);
 
   bool asked() const { return !regions_.empty(); }  // by the scene
-  bool wait() const { return waits_; }
-  // Before a step. They wait no longer where it finds that they cannot.
+  bool any_wait() const;
+  // All particles of the scene do.
+  bool nothing_but_they_move() const;
+  // Before a step. Those wait no longer that it finds cannot.
   void prepare() {
-    if (waits_ && !condensed_) condense();
+    if (!condensed_) condense();
   }
-  // To step n = 0, 1, 2 …. Afterwards either the regions still wait, or all of them have begun: then the
-  // answer is the grid's motion from which the next step starts.
-  std::optional<GridMotion> step(std::uint64_t n, Wanted wanted);
+  // The grid goes to step n = 0, 1, 2 …, with what it gets from them; if nothing but they move.
+  void step(std::uint64_t n, Wanted wanted);
+  // They go to step n, for which the grid has predicted its velocities and got the corrections of others.
+  void move(std::uint64_t n);
+  // After the step: where it is due, they are told how the grid has moved, and the demand is known.
+  void look(std::uint64_t n, Wanted wanted);
+  // Begins those in which the demand has come to their share, after step n.
+  std::vector<GridMotion> begin_near(std::uint64_t n);
 
   // The particles are told how the grid has moved at the step reached, if they were not.
   void tell() {
-    if (waits_ && condensed_ && !told_) follow({});
+    if (any_wait() && condensed_ && !told_) follow({});
   }
 
-  const std::optional<Beginning>& beginning() const { return beginning_; }
+  struct Story {
+    std::string region;
+    std::optional<Beginning> beginning;  // none: it still waits
+  };
+  std::vector<Story> stories() const;
   std::uint64_t followings() const { return followings_; }  // steps at which particles were told
 
   void exchange(state::Archive& archive);
@@ -75,6 +89,9 @@ class CondensedRegions {
  private:
   struct Region {
     std::size_t particles = 0, grid = 0;  // participants
+    std::size_t begin = 0, end = 0;       // its coupling points among the model's
+    bool waits = true;
+    std::optional<Beginning> beginning = {};
     double share = 1;                     // of the demand, at which it begins
     std::vector<std::size_t> own, place;  // of each master: among the grid's own points; its coupling point
     Eigen::VectorXd mass;                 // M, infinite where a motion is prescribed [kg]
@@ -104,29 +121,29 @@ class CondensedRegions {
   };
 
   void condense();
-  void cannot_wait(const Region& region, const std::string& reason);
+  void begin(Region& region, const Beginning& beginning);
+  void set_waits(Region& region, bool waits);
   void find_masters(Region& region, wire::Condense& request) const;
   std::string why_not_moved(const Region& region) const;  // empty: it can be
+  const std::string& other_side(std::size_t participant, const Segment& segment) const;
   std::string costs_more(const Region& region) const;     // empty: it does not
   void read(Region& region, const wire::Condensed& told);
-  void ask(Role role);
   void move(Region& region, std::uint64_t n);
   void book_grids(Wanted wanted);
   static ParticipantEnergies energies_of(const Region& region);
   static bool may_be_near(const Region& region);
   void follow(Wanted wanted);
-  GridMotion begin(std::uint64_t n, const Region& first);
-  void spread(const Region& region, const Eigen::VectorXd& of_masters, std::vector<double>& at_points) const;
+  GridMotion begin_moving(const Region& region);
+  std::vector<double> at_points(const Region& region, const Eigen::VectorXd& of_masters) const;
   double particles_dt() const { return model_.dt / model_.substeps; }
 
   Model& model_;
   Ledger& ledger_;
   StepCost& cost_;
   std::vector<Region> regions_;
-  bool waits_ = false, condensed_ = false;
+  bool condensed_ = false;
   std::uint64_t reached_ = 0;  // step of the model
   bool told_ = false;          // the particles, how the grid has moved at it
-  std::optional<Beginning> beginning_;
   std::uint64_t followings_ = 0;
   wire::Advance request_;
 };

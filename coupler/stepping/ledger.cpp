@@ -76,11 +76,21 @@ void Ledger::take_energies(std::size_t s, const Participant& participant) {
   energies_[s] = energies_of(e, kinetic, work);
 }
 
+// What the impulses of regions that wait add, which a grid gets whole with its step: as in the other form.
+double Ledger::of_nodes(const Account& account, const Participant& participant) {
+  const std::size_t begin = 2 * participant.nodes_begin;
+  const auto from = [begin](std::span<const double> all) { return all.subspan(begin); };
+  const std::span<const double> impulses = from(participant.correction.impulses());
+  if (account.started) return 0.5 * dot(from(account.velocities), impulses);
+  return -0.5 * (dot(impulses, from(participant.predicted)) + dot(impulses, from(participant.corrected)));
+}
+
 // With the impulses p_n that it gets from step n to step n + 1, what a participant tells changes by
 // ½ (N v(n−½) + N v(n+½))·p_n. Work counts from the start, so that what is added there, and the impulse that
 // is booked as twice a half there, are none.
 void Ledger::take_energies(std::size_t s, const Participant& participant, double added) {
   Account& account = accounts_[s];
+  added += of_nodes(account, participant);
   if (!account.started) account.added_at_start = added;
   const wire::Energies& e = participant.prediction().energies();
   const double work = account.multiplier_work + 0.5 * dot(account.velocities, account.impulses);
@@ -89,7 +99,7 @@ void Ledger::take_energies(std::size_t s, const Participant& participant, double
 
 void Ledger::begin(std::size_t s, const Participant& participant, double multiplier_work) {
   if (!changes_) {
-    change_ = unexplained();
+    unexplained_before_ = unexplained();
     for (std::size_t k = 0; k < energies_.size(); ++k) balances_at_start_[k] -= energies_[k].balance();
   }
   changes_ = true;
@@ -110,7 +120,8 @@ void Ledger::compare() {
   compared_ = true;
   if (changes_) {  // what participants tell is counted from other places now
     for (std::size_t s = 0; s < energies_.size(); ++s) balances_at_start_[s] += energies_[s].balance();
-    change_ = (unexplained() - change_) / std::max(peak_stored_, stored());
+    const double change = (unexplained() - unexplained_before_) / std::max(peak_stored_, stored());
+    if (std::abs(change) > std::abs(change_)) change_ = change;
     changes_ = false;
   }
   if (first_turnover_ == 0) first_turnover_ = turnover;
@@ -200,6 +211,7 @@ void Ledger::exchange(state::Archive& archive) {
   archive("ledger_peak_unexplained", peak_unexplained_);
   archive("ledger_change", change_);
   archive("ledger_changes", changes_);
+  archive("ledger_unexplained_before", unexplained_before_);
   archive("ledger_largest_gap", largest_gap_);
   archive("ledger_largest_velocity", largest_velocity_);
 }

@@ -72,7 +72,8 @@ class Ledger {
   // nothing is known of a model that moves by rounding errors only.
   double drift() const;
   double max_drift() const;  // the largest |unexplained| relative to the largest stored energy
-  // By which energy rose when particles that waited began, relative to the largest stored energy by then.
+  // By which energy rose when particles that waited began, relative to the largest stored energy by then: of
+  // several beginnings, the largest in size.
   double change() const { return change_; }
   double kept() const;  // stored over external work; 1 where there was none
 
@@ -99,6 +100,8 @@ class Ledger {
     std::vector<double> impulses, velocities;  // of that step, at the participant's coupling points
   };
 
+  static double of_nodes(const Account& account, const Participant& participant);
+
   double rounding_, still_;  // energies that cannot be told from 0 [J], by places and by energies at rest
   std::vector<ParticipantEnergies> energies_;
   std::vector<Account> accounts_;
@@ -109,7 +112,8 @@ class Ledger {
   double peak_turnover_ = 0;
   double peak_stored_ = 0, peak_unexplained_ = 0;
   double change_ = 0;
-  bool changes_ = false;  // since the last compare(): change_ is the energy unexplained before [J]
+  bool changes_ = false;             // since the last compare()
+  double unexplained_before_ = 0;  // the change [J]
   double largest_gap_ = 0, largest_velocity_ = 0;
 };
 

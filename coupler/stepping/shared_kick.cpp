@@ -7,8 +7,8 @@
 
 namespace adit::coupler {
 
-SharedKick::SharedKick(Model& model, Ledger& ledger, StepCost& cost)
-    : model_(model), ledger_(ledger), cost_(cost) {
+SharedKick::SharedKick(Model& model, CondensedRegions& regions, Ledger& ledger, StepCost& cost)
+    : model_(model), regions_(regions), ledger_(ledger), cost_(cost) {
   for (auto* vector : {&w_, &q_, &y_, &v_, &p_, &target_, &lambda_, &lambda_1_, &total_})
     vector->resize(model.coupling_points.size());
 }
@@ -35,15 +35,21 @@ void SharedKick::start(Wanted wanted) {
     y_[i] = -p_[i];
     q_[i] = 2 * p_[i];
   }
+  if (regions_.any_wait()) {
+    model_.constraint->assign(total_, 1, Part::kCoarse, model_.participants);
+    regions_.move(0);
+    for (Participant& participant : model_.participants)
+      if (participant.member.role == Role::kContinuum) correct_velocities(participant);
+  }
   kick(0, wanted);
   book();
   if (wanted.energies) take_energies(1);
 }
 
 void SharedKick::take_over(const GridMotion& motion) {
-  w_ = motion.velocities;
-  q_ = motion.kicks;
-  for (std::size_t i = 0; i < w_.size(); ++i) {
+  for (std::size_t i = 2 * motion.begin; i < 2 * motion.end; ++i) {
+    w_[i] = motion.velocities[i - 2 * motion.begin];
+    q_[i] = motion.kicks[i - 2 * motion.begin];
     y_[i] = w_[i] - q_[i] / 2;
     total_[i] = lambda_[i] = 0;
   }
@@ -74,6 +80,7 @@ void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
     constraint.assign(total_, 1, Part::kCoarse, model_.participants);
   }
   ask(Role::kContinuum, n, model_.dt, wanted, &SharedKick::book_grid);
+  regions_.move(n);
   const Stopwatch solving(cost_.solve);
   constraint.read(model_.participants, Part::kCoarse, &Participant::predicted, p_);
   for (std::size_t i = 0; i < w_.size(); ++i) {
@@ -94,12 +101,15 @@ void SharedKick::shared_kick(std::uint64_t k, std::uint64_t n, Wanted wanted) {
 void SharedKick::ask(Role role, std::uint64_t step, double dt, Wanted wanted,
                      void (SharedKick::*meanwhile)()) {
   fill_request(request_, step, dt, wanted);
+  const auto asked = [role](const Participant& participant) {
+    return participant.member.role == role && !participant.waits;
+  };
   for (Participant& participant : model_.participants)
-    if (participant.member.role == role) post_advance(participant, request_);
+    if (asked(participant)) post_advance(participant, request_);
   (this->*meanwhile)();
   const Stopwatch waiting(cost_.wait);
   for (Participant& participant : model_.participants)
-    if (participant.member.role == role) receive_prediction(participant);
+    if (asked(participant)) receive_prediction(participant);
 }
 
 void SharedKick::end_kick(const std::vector<double>& multipliers) {
@@ -116,12 +126,13 @@ void SharedKick::book() {
   for (std::size_t i = 0; i < total_.size(); ++i) total_[i] += lambda_[i];
   for (std::size_t s = 0; s < model_.participants.size(); ++s) {
     Participant& participant = model_.participants[s];
-    if (participant.member.role != Role::kParticles) continue;
+    if (participant.member.role != Role::kParticles || participant.waits) continue;
     correct_velocities(participant);
     if (participant.prediction().has_energies()) ledger_.take_energies(s, participant);
     ledger_.close_step(s, participant);
   }
   model_.constraint->read(model_.participants, Part::kFine, &Participant::corrected, v_);
+  model_.constraint->close_idle(w_, v_);
   ledger_.book_gap(w_, v_);
 }
 
@@ -153,7 +164,6 @@ void SharedKick::take_energies(double share_of_kick) {
     }
     ledger_.take_energies(s, participant, added);
   }
-  ledger_.compare();
 }
 
 }  // namespace adit::coupler

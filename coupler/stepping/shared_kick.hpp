@@ -52,7 +52,7 @@ namespace adit::coupler {
 
 class SharedKick : public TimeScheme {
  public:
-  SharedKick(Model& model, Ledger& ledger, StepCost& cost);
+  SharedKick(Model& model, CondensedRegions& regions, Ledger& ledger, StepCost& cost);
 
   // To the time of the grid's step n: the grid is at its step n, the particles at step n m.
   // Energies are those of that time.
@@ -85,6 +85,7 @@ class SharedKick : public TimeScheme {
   void take_energies(double share_of_kick);
 
   Model& model_;
+  CondensedRegions& regions_;
   Ledger& ledger_;
   StepCost& cost_;
   wire::Advance request_;

@@ -12,7 +12,7 @@ namespace {
 // correction of step n − 1 and the prediction of step n ride in the same message: one round trip a step.
 class CommonStep : public TimeScheme {
  public:
-  CommonStep(Model& model, RoundTrip& round_trip, Ledger& ledger);
+  CommonStep(Model& model, CondensedRegions& regions, RoundTrip& round_trip, Ledger& ledger);
 
   void step(std::uint64_t n, Wanted wanted) override;
   void take_over(const GridMotion& /*motion*/) override {}
@@ -22,6 +22,7 @@ class CommonStep : public TimeScheme {
   void book(bool with_energies);
 
   Model& model_;
+  CondensedRegions& regions_;
   RoundTrip& round_trip_;
   Ledger& ledger_;
   wire::Advance request_;
@@ -29,14 +30,15 @@ class CommonStep : public TimeScheme {
   bool unbooked_ = false;              // the last step is not yet in the ledger
 };
 
-CommonStep::CommonStep(Model& model, RoundTrip& round_trip, Ledger& ledger)
-    : model_(model), round_trip_(round_trip), ledger_(ledger) {
+CommonStep::CommonStep(Model& model, CondensedRegions& regions, RoundTrip& round_trip, Ledger& ledger)
+    : model_(model), regions_(regions), round_trip_(round_trip), ledger_(ledger) {
   for (auto* vector : {&coarse_, &fine_}) vector->resize(model.coupling_points.size());
 }
 
 void CommonStep::step(std::uint64_t n, Wanted wanted) {
   fill_request(request_, n, model_.dt, wanted);
   round_trip_.run(request_, [this] { book(false); });  // the step before, while they compute this one
+  regions_.move(n);
   unbooked_ = true;
   if (wanted.energies) book(true);
 }
@@ -45,16 +47,18 @@ void CommonStep::book(bool with_energies) {
   if (!unbooked_) return;
   unbooked_ = false;
   if (model_.constraint) {
-    for (Participant& participant : model_.participants) correct_velocities(participant);
+    for (Participant& participant : model_.participants)
+      if (!participant.waits) correct_velocities(participant);
     model_.constraint->read(model_.participants, Part::kCoarse, &Participant::corrected, coarse_);
     model_.constraint->read(model_.participants, Part::kFine, &Participant::corrected, fine_);
+    model_.constraint->close_idle(coarse_, fine_);
     ledger_.book_gap(coarse_, fine_);
   }
   for (std::size_t s = 0; s < model_.participants.size(); ++s) {
+    if (model_.participants[s].waits) continue;
     if (with_energies) ledger_.take_energies(s, model_.participants[s]);
     ledger_.close_step(s, model_.participants[s]);
   }
-  if (with_energies) ledger_.compare();
 }
 
 }  // namespace
@@ -65,25 +69,27 @@ Stepper::Stepper(Model& model)
       round_trip_(model, cost_),
       regions_(model, ledger_, cost_) {
   if (model.substeps > 1)
-    scheme_ = std::make_unique<SharedKick>(model, ledger_, cost_);
+    scheme_ = std::make_unique<SharedKick>(model, regions_, ledger_, cost_);
   else
-    scheme_ = std::make_unique<CommonStep>(model, round_trip_, ledger_);
+    scheme_ = std::make_unique<CommonStep>(model, regions_, round_trip_, ledger_);
 }
 
 void Stepper::step(std::uint64_t n, Wanted wanted) {
   if (n == 0)  // time starts from rest: the last correction of statics would have no effect
     for (Participant& participant : model_.participants) participant.correction.withhold();
   regions_.prepare();
-  if (regions_.wait()) {
-    if (const auto motion = regions_.step(n, wanted)) {
-      scheme_->take_over(*motion);
-      just_began_ = true;
-    }
-    return;
-  }
-  // The first step of the particles shows what their beginning did to the energy.
+  // The first step of particles that waited shows what their beginning did to the energy.
   wanted.energies |= std::exchange(just_began_, false);
-  scheme_->step(n, wanted);
+  if (regions_.nothing_but_they_move())
+    regions_.step(n, wanted);
+  else
+    scheme_->step(n, wanted);
+  regions_.look(n, wanted);
+  if (wanted.energies) ledger_.compare();
+  for (const GridMotion& motion : regions_.begin_near(n)) {
+    scheme_->take_over(motion);
+    just_began_ = true;
+  }
 }
 
 void Stepper::relax(std::uint64_t n, const Relaxing& how) {

@@ -18,9 +18,9 @@ namespace adit::coupler {
 class TimeScheme {
  public:
   virtual ~TimeScheme() = default;
-  // To step n = 0, 1, 2 …
+  // To step n = 0, 1, 2 …; the ledger takes energies that are wanted, but does not compare them.
   virtual void step(std::uint64_t n, Wanted wanted) = 0;
-  // The particles waited until the last step, and begin with the next (condensed_regions.hpp).
+  // Particles waited until the last step, and begin with the next (condensed_regions.hpp).
   virtual void take_over(const GridMotion& motion) = 0;
   // What passes from one step to the next, besides what the participants and the ledger know.
   virtual void exchange(state::Archive& archive) = 0;

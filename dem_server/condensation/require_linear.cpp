@@ -22,7 +22,6 @@ void require_linear(const Model& model) {
   for (const auto& [there, what] : {std::pair(unsteady, "loads that change with time"),
                                     {!model.motions.empty(), "prescribed motions"},
                                     {!model.walls.empty(), "walls"},
-                                    {!model.springs.empty(), "springs"},
                                     {!model.bars.empty(), "bars"},
                                     {!model.edges.empty(), "quiet edges"},
                                     {!model.foundations.empty(), "foundations"}})

@@ -7,7 +7,7 @@
 namespace adit::dem {
 
 // Throws protocol::UserError at `particles.begin` for a model that is not linear until then: one of discs,
-// one that nothing can break, or one with loads that change, walls, springs, bars and the like.
+// one that nothing can break, or one with loads that change, walls, bars and the like.
 void require_linear(const Model& model);
 
 }  // namespace adit::dem

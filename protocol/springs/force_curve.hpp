@@ -20,9 +20,9 @@ class ForceCurve {
   double slope(double opening) const;   // of the force [N/m]
   double energy(double opening) const;  // [J]
   double steepest() const;              // the largest |slope| [N/m]
+  std::size_t segment(double opening) const;  // between two points that follow one another, from 0 on
 
  private:
-  std::size_t segment(double opening) const;  // of two points that follow one another
   double slope_of(std::size_t segment) const;
   double integral(double opening) const;  // from the first point
   double without_force() const;           // the nearest to 0

@@ -31,24 +31,46 @@ double share_of_friction(const WornFacet& touching, const FacetLaw& law) {
 
 }  // namespace
 
-// What softened in statics is on its way to crack: it counts by how far it has come.
 double GeneralEngine::demand() const {
-  double largest = 0;
+  return std::min(most_used().share, 1.0);
+}
+
+// What softened in statics is on its way to crack: it counts by how far it has come. A spring counts whole where
+// it has left the straight piece of its law on which it was at rest, as a bolt does that becomes slack.
+GeneralEngine::Used GeneralEngine::most_used() const {
+  Used most;
+  const Particles& p = particles();
+  const auto uses = [&](double share, const char* what, std::uint32_t first, std::uint32_t second) {
+    if (share > most.share)
+      most = {share, what, (p.x[first] + p.x[second]) / 2, (p.y[first] + p.y[second]) / 2};
+  };
   const FacetSet& set = solver_.facets().set();
   for (const std::uint32_t k : solver_.facets().joining()) {
     const WornFacet* worn = set.worn_facet(k);
     if (worn && waiting_ && std::ranges::binary_search(waiting_->softened, k))
-      for (const WornFacet::End& end : worn->ends) largest = std::max(largest, end.point.wear / kCracked);
+      for (const WornFacet::End& end : worn->ends)
+        uses(end.point.wear / kCracked, "the facet", set.first[k], set.second[k]);
     else
-      see_facet(k, [&](const ObservedPair& pair) { largest = std::max(largest, pair.demand.value_or(0)); });
+      see_facet(k, [&](const ObservedPair& pair) {
+        uses(pair.demand.value_or(0), "the facet", pair.first, pair.second);
+      });
   }
   for (const std::uint32_t k : solver_.facets().touching()) {
     const WornFacet* worn = set.worn_facet(k);
-    largest = std::max(largest, worn ? share_of_friction(*worn, set.laws[set.law[k]]) : 1);
+    uses(worn ? share_of_friction(*worn, set.laws[set.law[k]]) : 1, "the faces that touch", set.first[k],
+         set.second[k]);
   }
   for (const Joints::Joint& joint : solver_.joints().joints())
-    largest = std::max(largest, share_of_friction(joint.normal, joint.springs.shear, joint.law.friction));
-  return std::min(largest, 1.0);
+    uses(share_of_friction(joint.normal, joint.springs.shear, joint.law.friction), "the smooth joint",
+         joint.first, joint.second);
+  const SpringForces& springs = solver_.springs();
+  for (std::size_t k = 0; k < springs.springs().size(); ++k) {
+    const bool left = waiting_ && !waiting_->spring_pieces.empty() &&
+                      springs.piece(k) != waiting_->spring_pieces[k];
+    const Spring& spring = springs.springs()[k];
+    uses(left ? 1 : springs.forces()[k] / spring.strength, "the spring", spring.first, spring.second);
+  }
+  return most;
 }
 
 std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::SparseRows& ties,
@@ -68,11 +90,17 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   waiting_->softened.clear();
   for (const std::uint32_t k : solver_.facets().joining())
     if (solver_.facets().set().worn_facet(k)) waiting_->softened.push_back(k);
-  const double used = demand(), strain_energy = solver_.strain_energy().sum();
-  if (used >= share) {
+  waiting_->spring_pieces.clear();
+  for (std::size_t k = 0; k < solver_.springs().springs().size(); ++k)
+    waiting_->spring_pieces.push_back(solver_.springs().piece(k));
+  const Used used = most_used();
+  const double strain_energy = solver_.strain_energy().sum();
+  if (used.share >= share) {
     waiting_.reset();
-    return used < 1 ? fmt::format("{:.2g} of a strength is used at rest already", used)
-                    : "something has cracked, slides or is open at rest already";
+    return used.share < 1 ? fmt::format("{} at ({:.4g}, {:.4g}) m uses {:.2g} of its strength at rest already",
+                                        used.what, used.x, used.y, used.share)
+                          : fmt::format("{} at ({:.4g}, {:.4g}) m has cracked, slides or is open at rest",
+                                        used.what, used.x, used.y);
   }
   const FacetSet& set = solver_.facets().set();
   std::vector<std::uint32_t> first(set.first.begin(), set.first.end()),
@@ -80,6 +108,10 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   for (const Joints::Joint& joint : solver_.joints().joints()) {
     first.push_back(joint.first);
     second.push_back(joint.second);
+  }
+  for (const Spring& spring : solver_.springs().springs()) {
+    first.push_back(spring.first);
+    second.push_back(spring.second);
   }
   const Particles& p = particles();
   const Tangent tangent =
@@ -98,7 +130,7 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
       waiting_->substructure.emplace(tangent, std::move(masses), tied, ties, masters);
       Condensed condensed = waiting_->substructure->condense();
       condensed.strain_energy = strain_energy;
-      condensed.demand = used;
+      condensed.demand = used.share;
       answer = std::move(condensed);
     } catch (const Substructure::NotHeld&) {
       answer = "parts of it are held by nothing, or soften";

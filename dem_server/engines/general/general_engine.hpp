@@ -80,6 +80,14 @@ class GeneralEngine final : public LocalEngine {
   void put_mechanics(const state::Parts& state);
   // Moves the particles that wait to where they are so far from rest [m], [rad], and finds their forces.
   void displace_to(std::span<const double> motion);
+  // Of which strength most is used, between the particles at whose middle it lies [m]; 1 and more where
+  // something has cracked, slides or is open.
+  struct Used {
+    double share = 0;
+    const char* what = "nothing";
+    double x = 0, y = 0;
+  };
+  Used most_used() const;
   std::vector<double> forces() const;
   void set_velocities(std::span<const double> velocities);
 
@@ -104,6 +112,7 @@ class GeneralEngine final : public LocalEngine {
     state::Parts rest;
     std::vector<double> reached;               // of each freedom [m], [rad]
     std::vector<std::uint32_t> softened = {};  // facets that were beyond their strength there, ascending
+    std::vector<std::size_t> spring_pieces = {};  // of the laws of all springs there
     std::optional<Substructure> substructure = {};
     ParticlesMotion motion = {};
   };

@@ -122,6 +122,19 @@ bool SpringForces::holds(std::size_t k, double opening, double stretch) {
   return false;
 }
 
+// Three pieces by clearance: closed, free, open; each with those of the curve, or taut and slack.
+std::size_t SpringForces::piece(std::size_t k) const {
+  const Spring& spring = springs_[k];
+  const double stretch = beyond(spring.clearance, openings_[k]);
+  const std::size_t by_clearance = spring.clearance > 0 && stretch != 0 ? (stretch > 0 ? 2 : 1) : 0;
+  std::size_t by_force = 0;
+  if (spring.curve)
+    by_force = spring.curve->segment(stretch);
+  else if (spring.tension_only)
+    by_force = force_at(spring, openings_[k]) > 0 ? 1 : 0;
+  return 3 * by_force + by_clearance;
+}
+
 double SpringForces::strain_energy() const {
   double sum = 0;
   for (std::size_t k = 0; k < springs_.size(); ++k)
