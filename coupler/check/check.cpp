@@ -6,6 +6,7 @@
 
 #include "coupler/check/expectations.hpp"
 #include "coupler/check/pace.hpp"
+#include "coupler/check/savings.hpp"
 #include "coupler/check/text.hpp"
 #include "coupler/check/volume.hpp"
 #include "coupler/check/warnings.hpp"
@@ -60,6 +61,7 @@ void check(const scene::Scene& scene, std::vector<Participant> participants, con
   Volume volume;
   if (pace.stable()) volume = measure_volume(model, schedule, stepper.snapshots());
   print_expectations(model, schedule, pace, volume);
+  if (pace.stable()) print_savings(model, schedule, pace);
   print_accuracy(scene);
   print_notes_and_warnings(model, pace);
   if (pace.stable()) finish(model.participants);

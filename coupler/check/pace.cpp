@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <vector>
 
 #include "coupler/participants/time_step.hpp"
 #include "protocol/errors.hpp"
@@ -33,6 +34,14 @@ double seconds_a_step(double seconds, std::uint64_t last, const std::function<vo
   return n <= last ? step_for((1 - kWarmUp) * seconds) : cold;
 }
 
+// By each participant so far [s].
+std::vector<double> computed(const Model& model) {
+  std::vector<double> seconds;
+  for (const Participant& participant : model.participants)
+    seconds.push_back(participant.compute_s + participant.hidden_s);
+  return seconds;
+}
+
 }  // namespace
 
 Pace measure_pace(const Model& model, const Schedule& schedule, Stepper& stepper) {
@@ -44,8 +53,16 @@ Pace measure_pace(const Model& model, const Schedule& schedule, Stepper& stepper
       pace.relaxing = seconds_a_step(kSeconds / 2, model.scene.statics().max_steps(), [&](std::uint64_t n) {
         stepper.relax(n, {.dt = dt, .local_damping = 0});
       });
-    pace.step = seconds_a_step(relaxes ? kSeconds / 2 : kSeconds, model.steps,
-                               [&](std::uint64_t n) { stepper.step(n, schedule.wanted(n)); });
+    const std::vector<double> before = computed(model);
+    std::uint64_t steps = 0;
+    pace.step = seconds_a_step(relaxes ? kSeconds / 2 : kSeconds, model.steps, [&](std::uint64_t n) {
+      stepper.step(n, schedule.wanted(n));
+      ++steps;
+    });
+    const std::vector<double> after = computed(model);
+    for (std::size_t s = 0; s < after.size(); ++s)
+      if (model.participants[s].member.role == Role::kContinuum)
+        pace.grids = std::max(pace.grids, (after[s] - before[s]) / static_cast<double>(steps));
   } catch (const protocol::Unstable& error) {
     pace.unstable = error.what();
   }

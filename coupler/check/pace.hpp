@@ -12,6 +12,7 @@ namespace adit::coupler {
 struct Pace {
   double set_up = 0;     // [s]
   double step = 0;       // of time [s]
+  double grids = 0;      // what the slowest continuum computes in it [s]
   double relaxing = 0;   // step of statics [s]; 0: the scene has none
   std::string unstable;  // why the first steps failed; then the model cannot be asked for anything more
 

@@ -23,6 +23,7 @@ class Schedule {
   double interval() const { return interval_; }
   std::uint64_t stride() const { return history_stride_; }
   std::uint64_t row_count() const;
+  std::uint64_t peak_count() const { return peak_stride_ > 0 ? last_ / peak_stride_ + 1 : 0; }
   bool wants_fields(std::uint64_t n) const { return fields_.contains(n); }
   std::size_t field_count() const { return fields_.size(); }
   // Says where the times of rows and fields are not those stated.

@@ -15,7 +15,6 @@ namespace adit::coupler {
 namespace {
 
 constexpr std::size_t kNowhere = ~std::size_t{0};
-constexpr std::uint64_t kLooks = 500;  // at the demand in a run, at least
 constexpr double kSafety = 1.5;        // of the largest rate of the demand so far
 // What they take on a core of 2023 [s]: a number of a matrix with the exchange that it makes wait, a step of
 // a cell; and what is little beside a round trip.
@@ -38,6 +37,11 @@ void assign(google::protobuf::RepeatedField<double>& field, const Eigen::VectorX
 }
 
 }  // namespace
+
+double seconds_to_move(std::size_t masters) {
+  const double size = 2 * static_cast<double>(masters);
+  return 2 * size * size * kNumber;
+}
 
 CondensedRegions::CondensedRegions(Model& model, Ledger& ledger, StepCost& cost)
     : model_(model), ledger_(ledger), cost_(cost) {
@@ -164,12 +168,11 @@ const std::string& CondensedRegions::other_side(std::size_t participant, const S
 // A step of full matrices against as many steps of the particles as it replaces.
 std::string CondensedRegions::costs_more(const Region& region) const {
   const Participant& particles = model_.participants[region.particles];
-  const double numbers = 2 * std::pow(2.0 * static_cast<double>(region.own.size()), 2);
   if (protocol::condensed_bytes(region.own.size()) > protocol::kMaxFrameBytes)
     return fmt::format("the matrices of {} grid points in its overlap are longer than a message may be",
                        region.own.size());
   const auto count = static_cast<double>(particles.counts.particles());
-  if (numbers * kNumber <= std::max(kLittle, count * model_.substeps * kParticleStep)) return {};
+  if (seconds_to_move(region.own.size()) <= std::max(kLittle, count * model_.substeps * kParticleStep)) return {};
   return fmt::format("{} grid points in its overlap would cost more than its {} particles in {} substeps",
                      region.own.size(), particles.counts.particles(), model_.substeps);
 }
@@ -246,7 +249,7 @@ void CondensedRegions::look(std::uint64_t n, Wanted wanted) {
   if (!any_wait()) return;
   const bool near = std::ranges::any_of(
       regions_, [](const Region& region) { return region.waits && may_be_near(region); });
-  const bool due = n % std::max<std::uint64_t>(1, model_.steps / kLooks) == 0;
+  const bool due = n % kLookInterval == 0;
   reached_ = n;
   told_ = false;
   if (due || near || wanted.histories || wanted.peaks) follow(wanted);

@@ -36,7 +36,9 @@ void SharedKick::start(Wanted wanted) {
     q_[i] = 2 * p_[i];
   }
   if (regions_.any_wait()) {
-    model_.constraint->assign(total_, 1, Part::kCoarse, model_.participants);
+    for (Participant& participant : model_.participants)  // what statics left there has no effect
+      if (participant.member.role == Role::kContinuum)
+        std::ranges::fill(participant.correction.impulses_from(0), 0.0);
     regions_.move(0);
     for (Participant& participant : model_.participants)
       if (participant.member.role == Role::kContinuum) correct_velocities(participant);

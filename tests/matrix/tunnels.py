@@ -45,7 +45,6 @@ REFUSED = (
     + [({"plane": "plane_stress", "ground": "plastic"}, "plane strain")]
     + [({"particles": "lattice", "lining": "reinforced"}, "lattice of discs")]
     + [({"particles": "waiting", "load": "body"}, "loads that change"), ({"particles": "waiting", "lining": "reinforced"}, "bars")]
-    + [({"particles": "waiting", "lining": lining}, "springs") for lining in ("bolts", "gasket", "keys", "neighbours")]
     + [({"as": "zones", "lining": lining, "stage": stage}, "tied to what lies outside") for lining in ("slips", "layers") for stage in ("stage", "released")]
     + [({"as": "zones", "lining": lining}, "segments") for lining in ("segments", "rings")]
 )

@@ -83,9 +83,7 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   state::Archive now;
   exchange_mechanics(now);
   const state::Parts present = now.take();
-  const std::vector<double> at_rest(kFreedoms * particles().size(), 0.0);
-  if (!waiting_) waiting_ = Waiting{.rest = present, .reached = at_rest};
-  const std::vector<double> reached = std::exchange(waiting_->reached, at_rest);
+  if (!waiting_) waiting_ = Waiting{.rest = present};
   put_mechanics(waiting_->rest);
   waiting_->softened.clear();
   for (const std::uint32_t k : solver_.facets().joining())
@@ -97,9 +95,9 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   const double strain_energy = solver_.strain_energy().sum();
   if (used.share >= share) {
     waiting_.reset();
-    return used.share < 1 ? fmt::format("{} at ({:.4g}, {:.4g}) m uses {:.2g} of its strength at rest already",
+    return used.share < 1 ? fmt::format("{} at ({:.4g}, {:.4g}) m: {:.2g} of the strength is used at rest already",
                                         used.what, used.x, used.y, used.share)
-                          : fmt::format("{} at ({:.4g}, {:.4g}) m has cracked, slides or is open at rest",
+                          : fmt::format("{} at ({:.4g}, {:.4g}) m: cracked, sliding or open at rest",
                                         used.what, used.x, used.y);
   }
   const FacetSet& set = solver_.facets().set();
@@ -114,11 +112,14 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
     second.push_back(spring.second);
   }
   const Particles& p = particles();
-  const Tangent tangent =
-      tangent_of(p.radius, neighbourhood_of(p.size(), first, second), [this](std::span<const double> motion) {
-        displace_to(motion);
-        return forces();
-      });
+  std::vector<double> reached(kFreedoms * p.size(), 0.0);
+  const auto forces_after = [&](std::span<const double> motion) {
+    for (std::size_t k = 0; k < reached.size(); ++k) reached[k] = motion[k] - reached[k];
+    displace(reached);
+    reached.assign(motion.begin(), motion.end());
+    return forces();
+  };
+  const Tangent tangent = tangent_of(p.radius, neighbourhood_of(p.size(), first, second), forces_after);
   std::vector<double> masses;
   for (std::size_t i = 0; i < p.size(); ++i)
     masses.insert(masses.end(), {p.mass[i], p.mass[i], p.inertia[i]});
@@ -137,7 +138,6 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
     }
   }
   put_mechanics(present);
-  waiting_->reached = reached;
   if (std::holds_alternative<std::string>(answer)) waiting_.reset();
   return answer;
 }
@@ -148,7 +148,8 @@ void GeneralEngine::follow(const MastersMotion& masters, double dt) {
 }
 
 void GeneralEngine::arrive(const protocol::Step& step) {
-  displace_to(waiting_->motion.displacements);
+  put_mechanics(waiting_->rest);  // so that it is the same wherever they were put in between
+  displace(waiting_->motion.displacements);
   require_finite(step);
   note_cracks();
   set_velocities(waiting_->motion.velocities);
@@ -170,11 +171,8 @@ void GeneralEngine::put_mechanics(const state::Parts& state) {
   exchange_mechanics(archive);
 }
 
-void GeneralEngine::displace_to(std::span<const double> motion) {
-  std::vector<double>& reached = waiting_->reached;
-  for (std::size_t k = 0; k < reached.size(); ++k) reached[k] = motion[k] - reached[k];
-  set_velocities(reached);
-  reached.assign(motion.begin(), motion.end());
+void GeneralEngine::displace(std::span<const double> motion) {
+  set_velocities(motion);
   solver_.displace(loads_, motions_);
 }
 
@@ -205,8 +203,6 @@ void GeneralEngine::exchange_waiting(state::Archive& archive) {
   state::require_of_model(parts <= kMostParts, "rest_parts");
   waiting_->rest.resize(parts);
   for (std::string& part : waiting_->rest) archive("rest", part);
-  waiting_->reached.resize(kFreedoms * particles().size());
-  archive("rest_displacements", std::span(waiting_->reached));
 }
 
 }  // namespace adit::dem

@@ -78,8 +78,8 @@ class GeneralEngine final : public LocalEngine {
   void exchange_mechanics(state::Archive& archive);
   void exchange_waiting(state::Archive& archive);
   void put_mechanics(const state::Parts& state);
-  // Moves the particles that wait to where they are so far from rest [m], [rad], and finds their forces.
-  void displace_to(std::span<const double> motion);
+  // Moves the particles that wait by so much [m], [rad] from where they are, and finds their forces.
+  void displace(std::span<const double> motion);
   // Of which strength most is used, between the particles at whose middle it lies [m]; 1 and more where
   // something has cracked, slides or is open.
   struct Used {
@@ -106,11 +106,9 @@ class GeneralEngine final : public LocalEngine {
   bool escaped_ = false;
   std::uint32_t stage_ = 0;  // reached
   SpringBreaks spring_breaks_;
-  // Of particles that wait: the state from which they follow, how far they are from it, how they follow, and
-  // where they are to be.
+  // Of particles that wait: the state from which they follow, how they follow, and where they are to be.
   struct Waiting {
     state::Parts rest;
-    std::vector<double> reached;               // of each freedom [m], [rad]
     std::vector<std::uint32_t> softened = {};  // facets that were beyond their strength there, ascending
     std::vector<std::size_t> spring_pieces = {};  // of the laws of all springs there
     std::optional<Substructure> substructure = {};

@@ -1,5 +1,6 @@
 """`coupler check` tells what the run that follows will be, and writes nothing but the undeformed model where it is asked to."""
 
+import json
 import math
 import pathlib
 import re
@@ -9,6 +10,16 @@ import unittest
 from programs import ADIT, CASE, ProgramTest, Server, counts_resources, coupler
 
 from adit.plots.setup.checked import Checked
+
+from runs import test_begin as begin
+
+
+
+def seconds(told):
+    """Of a time such as `3.4 h`."""
+    number, unit = told.split()
+    return float(number) * {"s": 1, "min": 60, "h": 3600}[unit]
+
 
 SHORT = ("--set", "time.duration=5 ms", "--set", "output.field_times=[2 ms]")
 
@@ -250,6 +261,21 @@ continuum:
         self.assertRegex(self.check(self.scene(GROUND, "ground.yaml")).line("time to expect"),
                          r"^\S+ \S+: [\d,]+ steps of \S+ ms, \S+ \S+ for set-up and results; "
                          r"before that \S+ s for every 1,000 steps of statics$")
+
+    def test_what_would_make_a_long_run_shorter_is_told(self):
+        """An eighth of the stepping for a model half as fine; less for cells that wait, where they may; nothing for a run of seconds."""
+        given = begin.scene(demand=None, size=0.15, substeps=8)
+        short = self.check(self.scene(json.dumps(given), "short.json"))
+        self.assertNotIn("shorter", short.lines)
+        given["time"]["duration"] = 1000
+        long = self.check(self.scene(json.dumps(given), "long.json"))
+        half, waiting = long.lines["shorter"]
+        expected = seconds(long.line("time to expect").split(":")[0])
+        self.assertAlmostEqual(seconds(half.split(" with ")[0]) / expected, 1 / 8, delta=0.03)
+        self.assertIn("particles", waiting)
+        self.assertLess(seconds(waiting.split(" while ")[0]), 0.7 * expected)
+        given["particles"]["begin"] = {"demand": 0.8}
+        self.assertEqual(len(self.check(self.scene(json.dumps(given), "waits.json")).lines["shorter"]), 1)
 
     def test_the_undeformed_model_is_written_where_it_is_asked_for(self):
         ground, particles = self.scene(GROUND, "ground.yaml"), self.scene(PARTICLES, "particles.yaml")

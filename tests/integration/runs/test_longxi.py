@@ -5,7 +5,7 @@ import unittest
 import numpy as np
 
 import references
-from programs import SOURCE, ProgramTest, coupler
+from programs import SOURCE, ProgramTest
 
 from adit import Run
 from adit.cases.longxi import along, section
@@ -60,11 +60,6 @@ class Longxi(ProgramTest):
 
     def groups_of_cracks(self, run):
         return [line.split(",")[9] for line in (run.folder / "cracks.csv").read_text().splitlines()[1:]]
-
-    def test_all_scenes_can_be_computed(self):
-        for scene in sorted(CASE.glob("*.yaml")) + sorted(CASE.glob("variants/*.yaml")) + [CASE / "elastic" / "particles.yaml"]:
-            result = coupler("check", scene)
-            self.assertEqual(result.returncode, 0, result.stderr)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ class RunCommand(ProgramTest):
         for arguments in ((CASE / "coupled.yaml",), (CASE / "coupled.yaml", "--vary", "time.dt_factor=0.4")):
             with self.subTest(arguments):
                 out = f"out/{len(arguments)}"
-                done = subprocess.run([SOURCE / "scripts" / "run", *arguments, "--out", out, "--no-report", "--set",
+                done = subprocess.run([SOURCE / "scripts" / "run", *arguments, "--out", out, "--no-pictures", "--set",
                                        "time.duration=2 ms", "--set", "output.field_times=[]"], cwd=self.folder,
                                       capture_output=True, text=True, timeout=120)
                 self.assertEqual(done.returncode, 0, done.stderr)
@@ -86,7 +86,7 @@ class RunCommand(ProgramTest):
             self.assertTrue(self.summary(self.folder / "out" / name)["completed"])
 
     def run_with(self, server):
-        return subprocess.run([SOURCE / "scripts" / "run", CASE / "full_fdm.yaml", "--fdm", server, "--out", self.folder / "run", "--no-report",
+        return subprocess.run([SOURCE / "scripts" / "run", CASE / "full_fdm.yaml", "--fdm", server, "--out", self.folder / "run", "--no-pictures",
                                "--set", "time.duration=2 ms", "--set", "output.field_times=[]"], capture_output=True, text=True, timeout=120)
 
     def test_a_server_is_started_by_its_command_and_ends_with_the_run(self):
@@ -107,6 +107,15 @@ class RunCommand(ProgramTest):
                 mock.patch.object(coupled_runs.subprocess, "run", return_value=mock.Mock(returncode=2)), self.assertRaises(SystemExit):
             coupled_runs.run_case(case, ("beams",), "")
         self.assertEqual(said.getvalue(), "run: cases/qingcaosha/ovaling/beams.yaml\n")
+
+    def test_a_study_draws_each_run_and_reports_and_compares_them_unless_told_not_to(self):
+        case = SOURCE / "cases" / "qingcaosha" / "ovaling"
+        for words, after in (([], ["report", "compare"]), (["--no-report"], [])):
+            with contextlib.redirect_stdout(io.StringIO()), mock.patch.object(sys, "argv", ["study", "--out", str(self.folder), *words]), \
+                    mock.patch.object(coupled_runs.subprocess, "run", return_value=mock.Mock(returncode=0)) as done, mock.patch.object(coupled_runs, "Run"):
+                coupled_runs.run_case(case, ("beams", "zones"), "")
+            asked = [next(word for word in call.args[0] if word in ("run", "plot", "report", "compare")) for call in done.call_args_list]
+            self.assertEqual(asked, ["run", "plot", "run", "plot", *after])
 
 
 if __name__ == "__main__":

@@ -5,7 +5,8 @@ import unittest
 import numpy
 
 import references
-from programs import SOURCE, ProgramTest, coupler
+from programs import ProgramTest, coupler
+from runs.test_cases import LARGE
 
 from adit import Run
 from adit.cases.tunnels import ring_ovaling
@@ -46,11 +47,11 @@ class Tunnels(ProgramTest):
         self.assertIn("tunnels[0]: becomes `particles.bonds.tensile_strength`, which is given beside `parallel`",
                       result.stderr)
 
-    def test_the_cases_can_be_computed(self):
-        for scene in ("shield_ring/ring.yaml", "fault_section/fault.yaml", "cavern/crown_invert.yaml", "qingcaosha/section.yaml"):
-            result = coupler("check", SOURCE / "cases" / scene)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn("can be computed", result.stdout)
+    def test_the_large_scenes_are_read(self):
+        for scene in LARGE:
+            with self.subTest(scene):
+                result = coupler("check", scene, "--which")
+                self.assertEqual((result.returncode, result.stdout), (0, "coupler\n"), result.stderr)
 
     def test_a_ring_between_neighbours_bears_the_ground_and_its_shear(self):
         run = Run(references.run_reduced(self, "qingcaosha"))

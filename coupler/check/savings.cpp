@@ -1,0 +1,70 @@
+#include "coupler/check/savings.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <set>
+
+#include "coupler/check/text.hpp"
+#include "coupler/stepping/condensed_regions.hpp"
+
+namespace adit::coupler {
+namespace {
+
+constexpr double kShort = 60;          // nobody waits for such a run [s]
+constexpr double kHalfAsFine = 8;      // a quarter of the points, half of the steps
+constexpr double kWorthwhile = 0.7;    // of the time as it is
+constexpr double kLook = 1.7e-6;       // at a cell, on a core of 2023 [s]
+
+// Grid points that move this participant by the interface.
+std::size_t masters_of(const Model& model, const Interface& interface) {
+  const Participant& grid = model.participants[interface.coarse];
+  const Segment& segment = *std::ranges::find(grid.segments, interface.begin, &Segment::global);
+  std::set<std::uint32_t> masters;
+  for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row)
+    for (const std::uint32_t own : grid.interpolation->columns(row)) masters.insert(own);
+  return masters.size();
+}
+
+// Whether its cells could wait, as far as the scene says: they break, and one continuum moves them.
+bool might_wait(const Model& model, std::size_t s) {
+  const Participant& participant = model.participants[s];
+  if (participant.member.role != Role::kParticles || participant.counts.breakable_bonds() == 0) return false;
+  const scene::Particles& particles = particles_of(model.scene, participant.member);
+  return particles.has_cells() && !particles.has_begin();
+}
+
+// Steps at which the particles are told how the grid has moved.
+double looks(const Model& model, const Schedule& schedule) {
+  return static_cast<double>(std::max(schedule.row_count() + schedule.peak_count(), model.steps / kLookInterval));
+}
+
+void print_waiting(const Model& model, const Schedule& schedule, const Pace& pace) {
+  double step = pace.grids, looking = 0;  // [s]; all together
+  std::string names;
+  for (std::size_t s = 0; s < model.participants.size(); ++s) {
+    if (!might_wait(model, s)) continue;
+    const auto joining = std::ranges::find(model.interfaces, s, &Interface::fine);
+    if (joining == model.interfaces.end()) continue;
+    step += seconds_to_move(masters_of(model, *joining));
+    looking += kLook * static_cast<double>(model.participants[s].counts.particles()) * looks(model, schedule);
+    names += (names.empty() ? "" : ", ") + model.participants[s].member.path;
+  }
+  const double steps = static_cast<double>(model.steps), waiting = step * steps + looking;
+  if (names.empty() || waiting > kWorthwhile * pace.step * steps) return;
+  print_line("shorter", fmt::format("{} while nothing in {} uses 0.8 of its strength, by `begin: {{demand: "
+                                    "0.8}}`, where that can wait",
+                                    clock_time(waiting), names));
+}
+
+}  // namespace
+
+void print_savings(const Model& model, const Schedule& schedule, const Pace& pace) {
+  const double stepping = pace.step * static_cast<double>(model.steps);
+  if (stepping < kShort) return;
+  print_line("shorter", fmt::format("{} with zones and particles twice as large; adit trade says what that changes",
+                                    clock_time(stepping / kHalfAsFine + pace.set_up)));
+  print_waiting(model, schedule, pace);
+}
+
+}  // namespace adit::coupler
