@@ -18,6 +18,10 @@
 //   closed:  sigma = k D_n, |tau| <= chi (f_t + (c - f_t) min(1, -sigma / f_t)) - sigma (mu_r + (mu - mu_r)
 //   chi); what slips
 //     beyond that wears by c / G, G = G_f + (G_II - G_f) min(1, -sigma / c).
+// f_t and c are those at the rate with which the point is strained as it reaches its strength: (rate / 1e-6 per
+// second)^e times those of slow tests (fib Model Code 2010, 5.1.11.2), w as it is. The rate at
+// which concrete is stronger by far, beyond 10 per second, is left to inertia, which cells have (Ozbolt et al.
+// 2011, Int. J. Fract. 169, 35).
 // So a facet that opens slowly dissipates f_t w = G_f, and one that is worn away bears compression and
 // friction mu_r. A shear strength of f_t under tension, and friction that is lost with the cohesion, make
 // strengths independent of the size of cells; with c and mu instead, irregular facets interlock.
@@ -37,6 +41,7 @@ struct FacetLaw {
   double friction, residual_friction = 0;  // mu, mu_r
   double opening_energy, shearing_energy;  // G_f, G_II [J/m^2]
   bool joined = true;                      // else its cells only touch there, from the beginning
+  double rate_exponent = 0;                // e
   bool breaks() const { return joined && tensile_strength < kUnbroken; }
   bool operator==(const FacetLaw&) const = default;
 };
@@ -53,26 +58,35 @@ struct FacetTraction {
 // One point that has been beyond its strength.
 struct FacetPoint {
   double whole = 1, slip = 0, opening = 0, wear = 0;  // [m]
+  double raised = 1;                                  // f_t and c over those of slow tests
 };
 
+inline constexpr double kSlowRate = 1e-6, kFastRate = 10;  // [1/s]
+
+// f_t and c at this rate of strain [1/s] over those of slow tests.
+inline double raised_by(const FacetLaw& law, double rate) {
+  return std::pow(std::clamp(rate, kSlowRate, kFastRate) / kSlowRate, law.rate_exponent);
+}
+
 // The largest shear stress under the compression `pressure` [Pa].
-inline double shear_limit(const FacetLaw& law, double chi, double pressure) {
-  const double closed = std::min(1.0, pressure / law.tensile_strength);
-  return chi * (law.tensile_strength + (law.cohesion - law.tensile_strength) * closed) +
+inline double shear_limit(const FacetLaw& law, double chi, double pressure, double raised = 1) {
+  const double closed = std::min(1.0, pressure / (raised * law.tensile_strength));
+  return chi * raised * (law.tensile_strength + (law.cohesion - law.tensile_strength) * closed) +
          pressure * (law.residual_friction + (law.friction - law.residual_friction) * chi);
 }
 
 // The share of its strength that the traction of a point uses which has not been beyond it; 1 where it
 // breaks.
-inline double facet_demand(const FacetLaw& law, const FacetTraction& t) {
-  return t.normal > 0 ? std::hypot(t.normal, t.shear) / law.tensile_strength
-                      : std::abs(t.shear) / shear_limit(law, 1, -t.normal);
+inline double facet_demand(const FacetLaw& law, const FacetTraction& t, double raised = 1) {
+  return t.normal > 0 ? std::hypot(t.normal, t.shear) / (raised * law.tensile_strength)
+                      : std::abs(t.shear) / shear_limit(law, 1, -t.normal, raised);
 }
 
 inline FacetTraction open_traction(const FacetLaw& law, double k, double jump_n, double jump_t,
                                    FacetPoint& point) {
   FacetTraction t{point.whole * k * jump_n, k * (jump_t - point.slip)};
-  const double chi = std::exp(-point.wear), size = std::hypot(t.normal, t.shear) / law.tensile_strength;
+  const double chi = std::exp(-point.wear),
+               size = std::hypot(t.normal, t.shear) / (point.raised * law.tensile_strength);
   if (size <= chi) return t;
   const double r = chi / size, width = law.opening_energy / law.tensile_strength;
   const double slipped = (1 - r) * t.shear / k;
@@ -88,7 +102,8 @@ inline FacetTraction open_traction(const FacetLaw& law, double k, double jump_n,
 inline FacetTraction closed_traction(const FacetLaw& law, double k, double jump_n, double jump_t,
                                      FacetPoint& point) {
   FacetTraction t{k * jump_n, k * (jump_t - point.slip)};
-  const double limit = shear_limit(law, std::exp(-point.wear), -t.normal), beyond = std::abs(t.shear) - limit;
+  const double limit = shear_limit(law, std::exp(-point.wear), -t.normal, point.raised),
+               beyond = std::abs(t.shear) - limit;
   if (beyond <= 0) return t;
   const double slipped = beyond / k;
   const double energy = law.opening_energy +

@@ -99,6 +99,7 @@ void Solver::take_laws(std::vector<PairLaw> laws) {
 
 void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& motions) {
   const double dt = step.from_rest() ? 0 : step.dt;
+  facets_.set_steps_per_second(step.relax || step.from_rest() ? 0 : 1 / step.dt);
   move(step);
   if (!planned_ || sweeps_ == damping_.acts_everywhere(step)) plan(step, loads, motions);
   sweep(step);

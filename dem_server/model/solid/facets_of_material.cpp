@@ -32,7 +32,9 @@ FacetLaw fracture_of(const scene::Fracture& fracture, const std::string& path) {
           std::tan(phi),
           std::tan(fracture.residual_friction_angle()),
           opening,
-          fracture.has_shearing_energy() ? fracture.shearing_energy() : 3 * opening};
+          fracture.has_shearing_energy() ? fracture.shearing_energy() : 3 * opening,
+          true,
+          fracture.rate_exponent()};
 }
 
 double compressive_strength(const FacetLaw& law) {
@@ -62,7 +64,9 @@ FacetLaw weaker(const FacetLaw& a, const FacetLaw& b) {
           std::min(a.friction, b.friction),
           std::min(a.residual_friction, b.residual_friction),
           std::min(a.opening_energy, b.opening_energy),
-          std::min(a.shearing_energy, b.shearing_energy)};
+          std::min(a.shearing_energy, b.shearing_energy),
+          true,
+          std::min(a.rate_exponent, b.rate_exponent)};
 }
 
 }  // namespace adit::dem

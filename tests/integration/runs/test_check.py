@@ -14,7 +14,6 @@ from adit.plots.setup.checked import Checked
 from runs import test_begin as begin
 
 
-
 def seconds(told):
     """Of a time such as `3.4 h`."""
     number, unit = told.split()

@@ -53,6 +53,7 @@ struct FacetSet {
   std::vector<double> start_n, start_t, start_turn, rest_n, rest_t;
   std::vector<double> share_1, share_2;  // of the jump, which each cell takes, times two
   std::vector<FacetLaw> laws;
+  double steps_per_second = 0;  // 0 where motion has no rate, as in statics
 
   // Facets that are worn, of each block, ascending; and of each facet its place there, from 1; 0: none.
   std::vector<std::vector<WornFacet>> worn;

@@ -35,6 +35,8 @@ class Facets {
   std::size_t size() const { return set_.size(); }
   const FacetSet& set() const { return set_; }
 
+  // 0: the step is one of statics, or starts from rest.
+  void set_steps_per_second(double rate) { set_.steps_per_second = rate; }
   // A step turns all cells, adds the forces block by block, and ends. Blocks may be computed by different
   // threads at once. The first is left out where the step starts from rest.
   void turn(double dt, const protocol::IndexRange& cells, std::span<const double> spin);

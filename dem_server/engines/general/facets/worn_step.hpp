@@ -37,9 +37,11 @@ class WornStep {
       WornFacet::End& end = worn.ends[e];
       const double at = (e == 0 ? 1 : -1) * kFacetPoint * set_.length[k_];
       const double n = jump_n - at * motion_.turn;
+      if (law_.rate_exponent > 0 && end.point.wear == 0) raise(n, jump_t, worn.begun, end);
       const auto [sigma, tau] =
           worn.parted ? FacetTraction{0, 0} : facet_traction(law_, stiffness_, n, jump_t, end.point);
       if (!worn.begun) {
+        if (end.point.wear == 0) end.point.raised = 1;
         end.normal = sigma;
         end.shear = tau;
       }
@@ -107,6 +109,17 @@ class WornStep {
   }
 
  private:
+  // By the largest rate since the point went beyond its strength in slow tests: where it turns back, it is not
+  // weaker for that. The rate of the first step is not known: then, and only then, it is as if it were fast.
+  void raise(double jump_n, double jump_t, bool begun, WornFacet::End& end) const {
+    if (set_.steps_per_second == 0) return;
+    const double grown = std::hypot(jump_n - end.lost_n - end.normal / stiffness_,
+                                    jump_t - end.lost_t - end.shear / stiffness_);
+    const double rate =
+        begun ? grown * set_.steps_per_second / (2 * set_.half_distance[k_]) : kFastRate;
+    end.point.raised = std::max(end.point.raised, raised_by(law_, rate));
+  }
+
   const FacetSet& set_;
   const FacetMotion motion_;
   std::uint32_t k_;
