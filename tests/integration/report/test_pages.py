@@ -159,7 +159,7 @@ class Pages(ProgramTest):
         self.assertIn("Velocity over time", after)
 
     def test_a_run_that_was_killed_is_reported_as_unfinished(self):
-        run = self.run_scene(CASE / "coupled.yaml", *SHORT)
+        run = self.run_scene(CASE / "coupled.yaml", "--set", "time.duration=12 ms", "--set", "output.field_times=[]")
         (run / "summary.json").unlink()
         rows = (run / "histories.csv").read_text()
         (run / "histories.csv").write_text(rows[:len(rows) // 2])  # it ends in half a row
@@ -184,7 +184,7 @@ class Pages(ProgramTest):
 
     def test_a_large_page_shows_fewer_instants_and_says_so(self):
         times = ", ".join(f"{k} ms" for k in range(1, 13))
-        run = self.run_scene(CASE / "coupled.yaml", "--set", "time.duration=12 ms", "--set", f"output.field_times=[{times}]")
+        run = self.run_scene(CASE / "full_fdm.yaml", "--set", "time.duration=12 ms", "--set", f"output.field_times=[{times}]")
         whole = self.page_of(run)
         self.assertIn("8 of 12 instants are shown", whole)
         largest = page.LARGEST

@@ -98,7 +98,7 @@ class Vary(ProgramTest):
                               timeout=200)
 
     def test_every_combination_is_computed_in_a_folder_of_its_own_and_compared(self):
-        done = self.vary("--vary", "time.dt_factor=0.25,0.5", "--vary", "interface.solve=consistent,lumped")
+        done = self.vary("--vary", "time.dt_factor=0.25,0.5", "--vary", "interface.solve=consistent,lumped", "--no-pictures")
         self.assertEqual(done.returncode, 0, done.stderr)
         for factor in (0.25, 0.5):
             for solve in ("consistent", "lumped"):
@@ -111,14 +111,14 @@ class Vary(ProgramTest):
         self.assertEqual(header[1], "dt_factor=0.25,solve=consistent")
 
     def test_results_are_those_of_a_run_alone(self):
-        self.assertEqual(self.vary("--vary", "time.dt_factor=0.3,0.4").returncode, 0)
+        self.assertEqual(self.vary("--vary", "time.dt_factor=0.3,0.4", "--no-pictures").returncode, 0)
         alone = self.run_scene(CASE / "coupled.yaml", "--set", "time.duration=2 ms", "--set", "output.field_times=[]", "--set",
                                "time.dt_factor=0.4")
         self.assertEqual((self.folder / "out" / "dt_factor=0.4" / "histories.csv").read_bytes(),
                          (alone / "histories.csv").read_bytes())
 
     def test_a_variant_that_fails_is_named_and_the_others_are_computed(self):
-        done = self.vary("--vary", "interface.solve=consistent,exact")
+        done = self.vary("--vary", "interface.solve=consistent,exact", "--no-pictures")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stdout, r"solve=exact: failed \(exit code 2\): .*interface\.solve.*consistent")
         self.assertTrue(self.summary(self.folder / "out" / "solve=consistent")["completed"])

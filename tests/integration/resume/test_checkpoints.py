@@ -25,7 +25,7 @@ def sealed(manifest):
 class Checkpoints(ResumeTest):
     def test_stop_and_go_on(self):
         scene = CASES / "cantilever" / "coupled.yaml"
-        slow = ("--set", "time.dt_factor=0.05")
+        slow = ("--set", "time.dt_factor=0.1", "--set", "time.duration=25 ms", "--set", "output.field_times=[20 ms]")
         whole = self.run_scene(scene, *slow, out="whole")
         run = self.stopped(scene, "run", *slow)
         self.assertEqual(self.summary(run)["resume"], f"coupler resume {run}")
@@ -36,7 +36,7 @@ class Checkpoints(ResumeTest):
 
     def test_a_finished_run_becomes_longer(self):
         scene = self.scene(GROUND % ("false", MAXWELL))
-        sets = ("--set", "output.history_interval=1 ms", "--set", "output.field_times=[]", "--set", "time.dt=5 us")
+        sets = ("--set", "output.history_interval=1 ms", "--set", "output.field_times=[]", "--set", "time.dt=0.1 ms")
         whole = self.run_scene(scene, *sets, "--set", "time.duration=60 ms", out="whole")
         run = self.run_scene(scene, *sets, "--set", "time.duration=30 ms", *AT_THE_END)
         finished = results_of(run)
@@ -55,7 +55,7 @@ class Checkpoints(ResumeTest):
         """Whatever moves the base does not follow from the duration."""
         for motion in ("synthetic: {seed: 1}, peak: 0.8 g", "sine: {frequency: 20 Hz, end: 40 ms}"):
             text = (GROUND % ("false", MAXWELL)).replace("ricker: {frequency: 10 Hz, time: 0.1 s}, peak: 0.8 g", motion)
-            sets = ("--set", "output.history_interval=1 ms", "--set", "output.field_times=[]", "--set", "time.dt=5 us")
+            sets = ("--set", "output.history_interval=1 ms", "--set", "output.field_times=[]", "--set", "time.dt=0.1 ms")
             scene, name = self.scene(text), motion.split(":", maxsplit=1)[0]
             whole = self.run_scene(scene, *sets, "--set", "time.duration=60 ms", out=f"{name}_whole")
             run = self.run_scene(scene, *sets, "--set", "time.duration=30 ms", *AT_THE_END, out=name)

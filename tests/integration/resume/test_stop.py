@@ -35,13 +35,16 @@ class Stop(ProgramTest):
 
     def test_a_coupler_that_ends_while_its_servers_start_leaves_none(self):
         """Neither a process nor the folder of a socket."""
-        for _ in range(20):
-            process = self.start(COUPLER, "run", CASE / "coupled.yaml", "--out", self.folder / "run", *LONG)
+        killed = []
+        for k in range(20):
+            process = self.start(COUPLER, "run", CASE / "coupled.yaml", "--out", self.folder / f"run_{k}", *LONG)
             wait_until(lambda: children_of(process.pid) or process.poll() is not None)
             servers = children_of(process.pid)
             process.kill()
-            process.communicate()
             self.assertTrue(servers)
+            killed.append((process, servers))
+        for process, servers in killed:
+            process.communicate()
             for pid in servers:
                 wait_until(lambda: not pathlib.Path(f"/proc/{pid}").exists())
                 self.assertEqual(list(pathlib.Path("/tmp").glob(f"adit-{pid}-*")), [])

@@ -112,7 +112,8 @@ class RunCommand(ProgramTest):
         case = SOURCE / "cases" / "qingcaosha" / "ovaling"
         for words, after in (([], ["report", "compare"]), (["--no-report"], [])):
             with contextlib.redirect_stdout(io.StringIO()), mock.patch.object(sys, "argv", ["study", "--out", str(self.folder), *words]), \
-                    mock.patch.object(coupled_runs.subprocess, "run", return_value=mock.Mock(returncode=0)) as done, mock.patch.object(coupled_runs, "Run"):
+                    mock.patch.object(coupled_runs.subprocess, "run", return_value=mock.Mock(returncode=0)) as done, \
+                    mock.patch.object(coupled_runs, "Run"):
                 coupled_runs.run_case(case, ("beams", "zones"), "")
             asked = [next(word for word in call.args[0] if word in ("run", "plot", "report", "compare")) for call in done.call_args_list]
             self.assertEqual(asked, ["run", "plot", "run", "plot", *after])

@@ -1,7 +1,9 @@
 """A study computes what its runs would compute one by one, goes on after any death, computes nothing twice, makes the same table wherever
 it is computed, and says in one sentence what is wrong with it."""
 
+import contextlib
 import csv
+import io
 import os
 import pathlib
 import random
@@ -9,10 +11,12 @@ import signal
 import subprocess
 import time
 import unittest
+from unittest import mock
 
 from programs import ADIT, BUILD, PATIENCE_S, ProgramTest, children_of, wait_until
 
-from adit import Run
+from adit import Run, cli
+from adit.runs import children
 from network.machines import NEAR, Link, Machines, NotAllowed
 
 COLUMN = """
@@ -53,8 +57,21 @@ class StudyTest(ProgramTest):
         super().setUp()
         self.scene(COLUMN, "column.yaml")
 
+    @staticmethod
+    def command_in(folder, out, *options):
+        return [*ADIT, "study", folder / "study.yaml", "--out", folder / out, "--no-pictures", "--jobs", "2", *options]
+
     def command(self, out, *options):
-        return [*ADIT, "study", self.folder / "study.yaml", "--out", self.folder / out, "--no-pictures", "--jobs", "2", *options]
+        return self.command_in(self.folder, out, *options)
+
+    @classmethod
+    def computed(cls, text):
+        """The results of a study that all tests of a class read and none changes."""
+        folder = cls.folder_for_all()
+        (folder / "column.yaml").write_text(COLUMN)
+        (folder / "study.yaml").write_text(text)
+        subprocess.run(cls.command_in(folder, "out"), check=True, capture_output=True, timeout=PATIENCE_S * 3)
+        return folder / "out"
 
     def study(self, text, *options, out="out", code=0, **others):
         self.scene(text, "study.yaml")
@@ -76,13 +93,16 @@ class StudyTest(ProgramTest):
 
 
 class Computes(StudyTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.stripes = cls.computed(STRIPES)
+
     def test_each_run_is_that_of_its_scene_alone_though_all_begin_from_one_state_at_rest(self):
-        self.study(STRIPES)
-        rows = self.rows()
+        rows = self.rows(self.stripes)
         self.assertEqual(len(rows), 9)
-        self.assertEqual(len(list((self.folder / "out" / "rest").glob("*[0-9a-f]"))), 1)
+        self.assertEqual(len(list((self.stripes / "rest").glob("*[0-9a-f]"))), 1)
         for row in rows[::4]:
-            kept = self.folder / "out" / row["folder"]
+            kept = self.stripes / row["folder"]
             alone = self.run_scene(kept / "scene.yaml", out=row["run"])
             self.assertEqual((alone / "histories.csv").read_bytes(), (kept / "histories.csv").read_bytes())
             self.assertAlmostEqual(float(row["drift_ux_m"]), abs(Run(alone).histories["drift_ux_m"]).max(), 12)
@@ -96,8 +116,7 @@ class Computes(StudyTest):
                     self.assertAlmostEqual(float(row[column]) / float(row["level"]), 1, 9)
 
     def test_a_linear_column_answers_in_proportion_to_the_motion(self):
-        self.study(STRIPES)
-        by_level = {row["level"]: float(row["drift_ux_m"]) for row in self.rows() if row["motion"] == "ricker_2Hz"}
+        by_level = {row["level"]: float(row["drift_ux_m"]) for row in self.rows(self.stripes) if row["motion"] == "ricker_2Hz"}
         first, second, third = by_level.values()
         self.assertAlmostEqual(second / first, 2, 4)  # rest has an unbalanced share of 1e-5
         self.assertAlmostEqual(third / first, 4, 4)
@@ -190,8 +209,12 @@ class GoesOn(StudyTest):
 
 
 class Wherever(StudyTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = cls.computed(STRIPES + SOFT)
+
     def test_a_worker_of_dask_on_another_machine_makes_the_same_table(self):
-        self.study(STRIPES + SOFT, out="whole")
+        self.scene(STRIPES + SOFT, "study.yaml")
         try:
             machines = self.enterContext(Machines(BUILD / "tests/bench/network_link", Link()))
         except NotAllowed as reason:
@@ -202,7 +225,7 @@ class Wherever(StudyTest):
         done = subprocess.run(machines.on_near(*self.command("out", "--dask", address)), capture_output=True, text=True, timeout=PATIENCE_S * 3)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("9 runs computed in", done.stdout)
-        self.assertEqual(self.table(), self.table("whole"))
+        self.assertEqual(self.table(), self.table(self.whole))
 
     def start(self, said, place, program, *options):
         """Starts a program of Dask on a machine, and waits for what it says when it is ready."""
@@ -215,7 +238,6 @@ class Wherever(StudyTest):
         wait_until(lambda: said in (self.folder / f"{program}.log").read_text(), PATIENCE_S)
 
     def test_an_array_of_slurm_makes_the_same_table(self):
-        self.study(STRIPES + SOFT, out="whole")
         self.study(STRIPES + SOFT, "--slurm", "3")
         job = self.folder / "out" / "job.sh"
         self.assertIn("#SBATCH --array=0-2", job.read_text())
@@ -230,7 +252,7 @@ class Wherever(StudyTest):
         self.assertEqual(asked.split(), ["--dependency=afterany:7", "--array=0", f"--output={self.folder}/out/table.log", str(job), "table"])
         done = subprocess.run(["bash", job, "table"], env=environment, check=True, capture_output=True, text=True, timeout=PATIENCE_S * 3)
         self.assertNotIn("computed in", done.stdout)
-        self.assertEqual(self.table(), self.table("whole"))
+        self.assertEqual(self.table(), self.table(self.whole))
 
 
 class Until(StudyTest):
@@ -257,19 +279,33 @@ class WhatIsWrong(StudyTest):
                  "expected a pressure above 0 Pa; cut the distribution off"),
                 (STRIPES + SOFT.replace("multiplies: true,", "unit: m,"), "is a length"),
                 (STRIPES.replace("stripes: {", "largest_factor: 1.01\n  stripes: {"), "no motion can be scaled to any of the levels by a factor of at most 1.01"),
-                (STRIPES.replace("column.yaml", "colum.yaml"), "there is no such file"),
                 (STRIPES.replace("questions: [drift_ux_m]", "questions: [drift_u_m]"), "damage.of: drift_ux_m is not asked of a run"),
-                (STRIPES.replace("drift_ux_m", "drift_u_m"), "no run has drift_u_m; did you mean `drift_ux_m`?"),
+                (MOTIONS + "questions: [drift_u_m]\n", "no run has drift_u_m; did you mean `drift_ux_m`?"),
                 (STRIPES.replace("minor, above: 0.01", "minor, above: 0.03"), "the thresholds do not rise"),
                 (STRIPES.replace("  stripes:", "  intensity: {at: surfac}\n  stripes:"), "surfac is no history of acceleration_x of the scene"),
                 (MOTIONS + "  folder: nowhere\nquestions: [drift_ux_m]\n", "is no folder"),
-                (MOTIONS.replace("frequency: 2 Hz, time: 1 s}", "frequency: 2 Hz}") + "questions: [drift_ux_m]\n", "motions.of[0].ricker.time"),
                 ("scene: column.yaml\nquestions: [drift_ux_m]\n", "nothing varies from run to run")):
+            with self.subTest(said):
+                self.assertIn(said, self.refused_here(text))
+        for text, said in (  # by the coupler, which reads the scene
+                (STRIPES.replace("column.yaml", "colum.yaml"), "there is no such file"),
+                (MOTIONS.replace("frequency: 2 Hz, time: 1 s}", "frequency: 2 Hz}") + "questions: [drift_ux_m]\n", "motions.of[0].ricker.time")):
             with self.subTest(said):
                 self.assertIn(said, self.refused(text))
 
+    def refused_here(self, text):
+        """What is said, without the start of a program for each."""
+        self.scene(text, "study.yaml")
+        errors = io.StringIO()
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(errors), \
+                mock.patch.object(children, "end_with_this_process"), self.assertRaises(SystemExit) as end:
+            cli.run("study", [str(word) for word in self.command("out")[len(ADIT) + 1:]])
+        self.assertEqual(end.exception.code, 2)
+        self.assert_one_line(errors.getvalue())
+        return errors.getvalue()
+
     def test_two_studies_in_one_folder_are_refused(self):
-        self.study(STRIPES)
+        self.study(MOTIONS + "questions: [drift_ux_m]\n")
         (self.folder / "study.yaml").rename(self.folder / "other.yaml")
         done = subprocess.run([*ADIT, "study", self.folder / "other.yaml", "--out", self.folder / "out"], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 2)

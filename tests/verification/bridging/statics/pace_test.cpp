@@ -82,32 +82,24 @@ TEST(MassesOfStatics, BringALinedTunnelToTheSameRest) {
 }
 
 // Soft and stiff bonded discs in a coupled ring of zones. The number of steps hangs on the last digits:
-// moduli that differ by 1e-5 need 0.41 to 0.54 of the steps.
+// moduli that differ by 1e-5 need 0.35 to 0.44 of the steps.
 TEST(MassesOfStatics, BringACoupledPackingToTheSameRest) {
-  const auto scene = [](double modulus) {
-    return "material { young_modulus: " + std::to_string(modulus) +
-           " poisson_ratio: 0.2 density: 2000 } time { duration: 1e-3 } "
-           "continuum { block { x_min: 0 x_max: 16 y_min: 0 y_max: 10 zones_x: 32 zones_y: 20 } "
-           "body_loads { acceleration { y: -10 } } "
-           "motions { where { x_max: 0 } velocity { x: 0 } } "
-           "motions { where { x_min: 16 } velocity { x: 0 } } "
-           "motions { where { y_max: 0 } velocity { x: 0 y: 0 } } } "
-           "particles { engine: GENERAL bonds {} "
-           "packing { x_min: 4 x_max: 12 y_min: 1 y_max: 9 radius: 0.15 } "
-           "groups { name: 'stiff' where { x_min: 7 x_max: 9 y_min: 4 y_max: 6 } "
-           "material { young_modulus: 3e10 poisson_ratio: 0.2 density: 2500 } } "
-           "body_loads { acceleration { y: -10 } } } "
-           "interface { overlap { around { box { x_min: 6 x_max: 10 y_min: 3 y_max: 7 } } width: 1.5 } } ";
-  };
-  double steps_with = 0, steps_without = 0;
-  for (int k = 0; k < 2; ++k) {
-    const double modulus = 1e8 * (1 + 1e-5 * k);
-    const Settled with = settle(scene(modulus), kScaledMasses), without = settle(scene(modulus), kTrueMasses);
-    EXPECT_LT(difference(with, without), 1e-3);
-    steps_with += static_cast<double>(with.steps);
-    steps_without += static_cast<double>(without.steps);
-  }
-  EXPECT_LT(steps_with, 0.55 * steps_without);
+  const std::string scene =
+      "material { young_modulus: 1e8 poisson_ratio: 0.2 density: 2000 } time { duration: 1e-3 } "
+      "continuum { block { x_min: 0 x_max: 16 y_min: 0 y_max: 10 zones_x: 32 zones_y: 20 } "
+      "body_loads { acceleration { y: -10 } } "
+      "motions { where { x_max: 0 } velocity { x: 0 } } "
+      "motions { where { x_min: 16 } velocity { x: 0 } } "
+      "motions { where { y_max: 0 } velocity { x: 0 y: 0 } } } "
+      "particles { engine: GENERAL bonds {} "
+      "packing { x_min: 4 x_max: 12 y_min: 1 y_max: 9 radius: 0.2 } "
+      "groups { name: 'stiff' where { x_min: 7 x_max: 9 y_min: 4 y_max: 6 } "
+      "material { young_modulus: 3e10 poisson_ratio: 0.2 density: 2500 } } "
+      "body_loads { acceleration { y: -10 } } } "
+      "interface { overlap { around { box { x_min: 6 x_max: 10 y_min: 3 y_max: 7 } } width: 1.5 } } ";
+  const Settled with = settle(scene, kScaledMasses), without = settle(scene, kTrueMasses);
+  EXPECT_LT(difference(with, without), 1e-3);
+  EXPECT_LT(static_cast<double>(with.steps), 0.55 * static_cast<double>(without.steps));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "dem_server/engines/lattice/critical_step.hpp"
 #include "tests/unit/dem_server/engines/lattice/lattice.hpp"
 
@@ -59,18 +61,22 @@ Outcome passed(const Model& packing, const ContactBond& law) {
   return out;
 }
 
-// 9 968 particles make two blocks, 31 416 seven.
-class Sweeps : public testing::TestWithParam<Model> {};
-INSTANTIATE_TEST_SUITE_P(
-    Sizes, Sweeps, testing::Values(test::rows_of(6, 52), test::rows_of(32, 312), test::rows_of(100, 315)),
-    [](const auto& info) { return std::to_string(info.param.discs.size()) + "particles"; });
+// By the numbers of rows and of discs in a row; made by the test, since every start of the program makes the
+// parameters. 9 968 particles make two blocks, 31 416 seven.
+class Sweeps : public testing::TestWithParam<std::pair<int, int>> {
+ protected:
+  const Model packing = test::rows_of(GetParam().first, GetParam().second);
+};
+INSTANTIATE_TEST_SUITE_P(Sizes, Sweeps,
+                         testing::Values(std::pair{6, 52}, std::pair{32, 312}, std::pair{100, 315}),
+                         [](const auto& info) { return std::to_string(info.param.first) + "rows"; });
 
 // One, two, three and eight threads give the same bits, breaking included.
 TEST_P(Sweeps, ThreadsChangeNoBit) {
-  const Outcome one = swept(GetParam(), 1, kBrittle);
+  const Outcome one = swept(packing, 1, kBrittle);
   EXPECT_GT(one.broken.size(), 20u);
   for (const std::size_t threads : {2u, 3u, 8u}) {
-    const Outcome many = swept(GetParam(), threads, kBrittle);
+    const Outcome many = swept(packing, threads, kBrittle);
     EXPECT_EQ(many.broken, one.broken);
     EXPECT_EQ(many.last.max_normal_force, one.last.max_normal_force);
     EXPECT_EQ(many.last.strongest_bond, one.last.strongest_bond);
@@ -84,16 +90,16 @@ TEST_P(Sweeps, ThreadsChangeNoBit) {
 // The sweep is the plain step: what differs is the order of sums.
 TEST_P(Sweeps, IsThePlainStep) {
   const ContactBond unbreakable{{7.0, 3.0}, kUnbreakable, kUnbreakable};
-  const Outcome a = swept(GetParam(), 2, unbreakable), b = passed(GetParam(), unbreakable);
+  const Outcome a = swept(packing, 2, unbreakable), b = passed(packing, unbreakable);
   EXPECT_NEAR(a.last.max_normal_force, b.last.max_normal_force, 1e-12 * b.last.max_normal_force);
   for (auto member : {&Particles::ux, &Particles::uy, &Particles::vx, &Particles::vy, &Particles::spin})
-    for (std::size_t i = 0; i < GetParam().discs.size(); ++i)
+    for (std::size_t i = 0; i < packing.discs.size(); ++i)
       ASSERT_NEAR((a.assembly.particles.*member)[i], (b.assembly.particles.*member)[i], 1e-13) << i;
 }
 
 // Bonds that break in one step are told in the order of their numbers, wherever they were computed.
 TEST_P(Sweeps, TellsBrokenBondsInOrder) {
-  Assembly a = test::assemble(GetParam(), 2.0);
+  Assembly a = test::assemble(packing, 2.0);
   for (std::size_t i = 0; i < a.particles.size(); ++i) a.particles.ux[i] = 0.01 * a.particles.x[i];
   Sweep sweep(a.bonds.runs, std::vector(a.particles.size(), Role::kSwept),
               std::vector<bool>(a.particles.size(), true), 2);
@@ -107,7 +113,7 @@ TEST_P(Sweeps, TellsBrokenBondsInOrder) {
 
 // What the sweep says of speed is the largest that moved something.
 TEST_P(Sweeps, FindsTheLargestSpeed) {
-  Assembly a = test::assemble(GetParam(), 2.0);
+  Assembly a = test::assemble(packing, 2.0);
   a.particles.vx[a.particles.size() / 2] = -3;
   a.particles.vy[a.particles.size() / 2] = 4;
   Sweep sweep(a.bonds.runs, std::vector(a.particles.size(), Role::kSwept),
