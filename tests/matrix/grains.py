@@ -11,7 +11,7 @@ FACTORS = {
     "plane": ["plane_strain", "plane_stress"],
     "packing": ["placed", "hexagonal", "square", "random", "cells"],
     "engine": ["automatic", "general"],
-    "bonds": ["contact", "breakable", "friction", "parallel", "grains", "scattered"],
+    "bonds": ["contact", "breakable", "friction", "parallel", "grains", "scattered", "fast"],
     "line": ["none", "weak", "open", "smooth"],
     "groups": ["none", "soft", "later", "apart"],
     "spring": ["none", "linear", "tension", "curve", "across", "bar"],
@@ -45,6 +45,7 @@ def meaningless(row):
     yield has("bonds") == "grains" and (has("line", "none") != "none" or has("rest", "none") != "none" or has("groups") == "apart" or has("observe") == "section")
     yield has("load") == "wall" and has("packing", "square") != "square"  # which alone reaches the wall
     yield has("packing") == "cells" and has("bonds") == "parallel"  # facets join cells instead
+    yield has("packing", "cells") != "cells" and has("bonds") == "fast"  # stronger by the rate of strain
 
 
 def passes_thresholds(row):
@@ -60,6 +61,7 @@ def is_idle(row):
 
 ROCK = {"young_modulus": 1e9, "poisson_ratio": 0.2, "density": 2000.0}
 FRACTURE = {"tensile_strength": 100e3, "fracture_energy": 20.0, "compressive_strength": 1e6}
+BREAK = ("breakable", "scattered", "fast")  # of cells
 RADIUS = 0.125
 LOW, HIGH = 0.0, 3.0
 
@@ -73,9 +75,13 @@ def scene(row):
                             "damping": row["rest"] if row["rest"] != "unscaled" else "local", "scale_masses": row["rest"] != "unscaled"}
     if row["rest"] == "stressed":
         whole["initial_stress"] = {"xx": -20e3, "yy": -80e3, "yy_per_metre": 20e3}
-    if row["packing"] == "cells" and row["bonds"] in ("breakable", "scattered"):
-        whole["particles"]["material"] = {**ROCK, "fracture": FRACTURE}
+    if row["packing"] == "cells" and row["bonds"] in BREAK:
+        whole["particles"]["material"] = {**ROCK, "fracture": _fracture(row)}
     return whole
+
+
+def _fracture(row):
+    return FRACTURE | ({"rate_exponent": 0.02} if row["bonds"] == "fast" else {})
 
 
 def _particles(row):
@@ -94,8 +100,9 @@ def _particles(row):
         "parallel": {"bonds": {"parallel": {"normal_stiffness": 4e9, "shear_stiffness": 1.5e9, "cohesion": 2e6, "tensile_strength": 1e6}},
                      "contacts": {"friction": 0.5}},
         "scattered": {"bonds": {"tensile_strength": 100e3, "shear_strength": 300e3}, **ground.scatter()},
+        "fast": {},
     }[row["bonds"]]
-    if row["packing"] == "cells" and row["bonds"] in ("breakable", "scattered"):
+    if row["packing"] == "cells" and row["bonds"] in BREAK:
         bonds = {"bonds": {}}
     model.update({**bonds, "bonds": {**model.get("bonds", {}), **bonds["bonds"]}, "engine": row["engine"]})
     if row["bonds"] == "grains":
@@ -135,7 +142,7 @@ def _add_groups(row, model):
     if row["groups"] == "none":
         return
     group = {"name": "part", "where": {"x_min": 2.5, "y_max": 2.05}}
-    rock = {**ROCK, "fracture": FRACTURE} if row["packing"] == "cells" and row["bonds"] in ("breakable", "scattered") else ROCK
+    rock = {**ROCK, "fracture": _fracture(row)} if row["packing"] == "cells" and row["bonds"] in BREAK else ROCK
     group.update({"soft": {"material": {**rock, "young_modulus": 0.4e9}}, "apart": {}, "later": {"material": {**rock, "young_modulus": 4e9}, "stage": 1}}[row["groups"]])
     model.setdefault("groups", []).append(group)
     if row["groups"] == "apart":  # which only touches what lies above

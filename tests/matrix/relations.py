@@ -456,12 +456,16 @@ OF_GROUND = {
     exchanged: lambda row: row["inside"] == "grid" and row["solve"] == "consistent", divided: lambda row: row["grid"] == "block",
     in_arcs: lambda row: row["support"] == "lining", on_any_base: lambda row: row["rest"] in ground.STATICS and row["base"] != "held",
 }
+def has_no_scale_of_its_own(row):
+    return row["spring"] != "bar" and row["bonds"] != "fast"
+
+
 OF_GRAINS = {
     balanced: always, mirrored: lambda row: row["packing"] not in ("random", "cells"),
     turned: lambda row: row["packing"] == "placed" and row["floor"] != "quiet" and row["rest"] != "stressed",
     moved: lambda row: row["packing"] not in ("random", "cells") and not grains.is_idle(row),
-    # Bond and dowels of bars follow formulas of the strength in MPa.
-    scaled: lambda row: row["spring"] != "bar", scaled_stress: lambda row: row["spring"] != "bar", reordered: always, said_apart: always,
+    # Bond and dowels of bars follow formulas of the strength in MPa; what is fast is so in seconds.
+    scaled: has_no_scale_of_its_own, scaled_stress: has_no_scale_of_its_own, reordered: always, said_apart: always,
     longer: always, threads: always, elsewhere: always, observed: always, resumed: always, replayed: always,
     general: lambda row: row["engine"] == "automatic",
 }
