@@ -1,15 +1,5 @@
-"""The table: as CSV, and as Markdown for reading."""
+"""Rows of a table: as CSV, and as Markdown for reading."""
 import csv
-
-COLUMNS = (  # heading, key, factor, format
-    ("family", "family", None, ""), ("variant", "variant", None, ""),
-    ("particles", "particles", 1, ",.0f"), ("zones", "zones", 1, ",.0f"),
-    ("force L2 [%]", "force_l2", 100, ".2f"), ("peak [%]", "force_peak", 100, "+.2f"),
-    ("near L2 [%]", "near_l2", 100, ".2f"), ("peak [%]", "near_peak", 100, "+.2f"),
-    ("far L2 [%]", "far_l2", 100, ".2f"), ("peak [%]", "far_peak", 100, "+.2f"),
-    ("energy kept", "energy_kept", 1, ".4f"),
-    ("particle updates [10⁶]", "particle_updates", 1e-6, ".2f"), ("zone updates [10⁶]", "zone_updates", 1e-6, ".2f"),
-    ("CPU [s]", "cpu_s", 1, ".3g"), ("wall [s]", "wall_s", 1, ".3g"))
 
 
 def write_csv(path, rows):
@@ -19,15 +9,22 @@ def write_csv(path, rows):
         writer.writerows(rows)
 
 
+def read_csv(path):
+    """Rows as `write_csv` wrote them; numbers are floats, what is empty is None."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return [{key: _value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+
+
+def _value(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text or None
+
+
 def lines(headings, rows):
     """A table in Markdown, of rows of texts."""
     yield "| " + " | ".join(headings) + " |"
     yield "|" + "---|" * len(headings)
     for row in rows:
         yield "| " + " | ".join(row) + " |"
-
-
-def markdown(rows):
-    return lines([heading for heading, *_ in COLUMNS],
-                 ([row[key] if factor is None else f"{factor * row[key]:{text}}" for _, key, factor, text in COLUMNS]
-                  for row in rows))

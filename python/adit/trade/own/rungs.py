@@ -3,6 +3,7 @@
 All are told relative to the finest, whose zones and particles are half as large as stated where the budget allows that. A dimension
 whose results approach a limit has an order, from its own three finest models.
 """
+import resource
 from dataclasses import dataclass, field
 
 from adit.accuracy.dimensions import name_of
@@ -11,13 +12,16 @@ from adit.accuracy.search import GROWS
 
 LEVELS = (-2, -1, 1)  # beside the stated one
 NONE = 1e-6  # relative changes below this tell no order
+HIGHEST = 4.0  # no method here has a higher order, and what moves away from its limit has none
 
 
 @dataclass
 class Rung:
+    """`cpu_s`: CPU time of all processes."""
     dimension: str
     levels: dict
     computed: object
+    cpu_s: float
 
 
 @dataclass
@@ -58,7 +62,8 @@ class Ladder:
         """As observed; None where there is none."""
         values = [model.values[question] for model in self.along(dimension)]
         changes = [after - before for before, after in zip(values, values[1:])]
-        return error_of(changes).order if len(changes) > 1 and min(map(abs, changes)) > NONE * abs(values[-1]) else None
+        order = error_of(changes).order if len(changes) > 1 and min(map(abs, changes)) > NONE * abs(values[-1]) else None
+        return order if order and 0 < order < HIGHEST else None
 
     def difference(self, rung, question):
         """From the finest, relative to it; None where that is 0."""
@@ -79,8 +84,15 @@ class Ladder:
         if sum(rung.computed.seconds for rung in self.rungs) + expected > self.budget:
             self.left_out.append(name_of(levels))
             return None
+        before = _cpu_of_children()
         computed = self.compute(levels)
         if computed is None:
             return None
-        self.rungs.append(Rung(dimension, levels, computed))
+        self.rungs.append(Rung(dimension, levels, computed, _cpu_of_children() - before))
         return self.rungs[-1]
+
+
+def _cpu_of_children():
+    """Of all processes that have ended [s]."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime

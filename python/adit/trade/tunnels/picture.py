@@ -1,10 +1,12 @@
 """The picture of a ladder: results of each model relative to the finest one, over its CPU time."""
 import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from adit.plots import style
 
 LOOKS = ((style.GREEN, "^"), (style.ORANGE, "v"), (style.BLUE, "s"), (style.RED, "o"), (style.PINK, "D"))
-TOP = 2.2  # of the axes; larger multiples are written there
+TOP = 2.2  # of the axes at most; larger multiples are written there
+LEAST = 0.8, 1.2  # that the axes show
 NEAR = 0.1  # difference from the finest that is shaded
 COLUMNS = 3
 
@@ -16,6 +18,7 @@ def findings_over_cost(ladder, rows):
     looks = dict(zip(dict.fromkeys(row["family"] for row in rows), LOOKS))
     for axes, quantity in zip(panels.flat, ladder.quantities):
         _panel(axes, quantity, rows, looks)
+    panels[0, 0].set_ylim(_limits(ladder, rows))
     for axes in panels.flat[len(ladder.quantities):]:
         axes.axis("off")
     for axes in panels.flat[max(0, len(ladder.quantities) - COLUMNS):len(ladder.quantities)]:
@@ -31,9 +34,19 @@ def findings_over_cost(ladder, rows):
     return figure
 
 
+def _limits(ladder, rows):
+    """Of the axes, which all panels share."""
+    multiples = [1 + error for row in rows for quantity in ladder.quantities if (error := row[f"{quantity.key} error"]) is not None]
+    low, high = min(LEAST[0], *multiples), max(LEAST[1], *(min(multiple, TOP) for multiple in multiples))
+    return low - 0.15 * (high - low), high + 0.15 * (high - low)
+
+
 def _panel(axes, quantity, rows, looks):
     axes.set_title(quantity.heading.split(" [")[0], loc="left")
-    axes.set(xscale="log", ylim=(-0.1, TOP + 0.1))
+    axes.set(xscale="log")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 3)))
+    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
     axes.axhspan(1 - NEAR, 1 + NEAR, color="#EEEEEE", zorder=0)
     for number, row in enumerate(rows, 1):
         error = row[f"{quantity.key} error"]
@@ -42,6 +55,7 @@ def _panel(axes, quantity, rows, looks):
         color, marker = looks[row["family"]]
         at = row["cpu_s"], min(1 + error, TOP)
         text = f"{number}: {1 + error:.1f}" if 1 + error > TOP else f"{number}"
+        beside = (4, 4) if number % 2 else (4, -11)  # models that cost alike follow one another
         axes.scatter(*at, color=color, marker=marker, s=26, zorder=3)
-        axes.annotate(text, at, xytext=(4, 4), textcoords="offset points", fontsize=8, color=color)
+        axes.annotate(text, at, xytext=beside, textcoords="offset points", fontsize=8, color=color)
     axes.margins(x=0.1)
