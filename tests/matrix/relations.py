@@ -456,6 +456,8 @@ OF_GROUND = {
     exchanged: lambda row: row["inside"] == "grid" and row["solve"] == "consistent", divided: lambda row: row["grid"] == "block",
     in_arcs: lambda row: row["support"] == "lining", on_any_base: lambda row: row["rest"] in ground.STATICS and row["base"] != "held",
 }
+
+
 def has_no_scale_of_its_own(row):
     return row["spring"] != "bar" and row["bonds"] != "fast"
 

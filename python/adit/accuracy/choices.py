@@ -5,6 +5,7 @@ Each choice is changed by one level in the coarsest model, which costs next to n
 from dataclasses import dataclass, field
 
 SHARE = 0.5  # of the accuracy asked for: smaller changes are not told
+SMALL = 0.1  # part of a budget
 
 
 def softens(part):
@@ -23,13 +24,19 @@ class Choices:
     coarsest: object
     within: float
     localizes: bool = False
+    begun: bool = False
     found: list = field(default_factory=list)
 
+    def begin(self, budget):
+        """Begins all of them beside the search, where they are a small part of a budget [s]."""
+        self.begun = 2 * self.coarsest.seconds * len(self.choices) < SMALL * budget
+        for choice, level in self._changes() if self.begun else ():
+            self.runs.ahead([*self.refining, choice], self.coarsest.levels | {choice.name: level})
+
     def compute(self, budget):
-        """Changes each choice that costs no more than is left of a budget [s]."""
-        for choice in self.choices:
-            level = next((level for level in (1, -1) if choice.settings(level) is not None), None)
-            if level is None or 2 * self.coarsest.seconds > budget:
+        """Changes each choice that is begun, or costs no more than is left of a budget [s]."""
+        for choice, level in self._changes():
+            if not self.begun and 2 * self.coarsest.seconds > budget:
                 continue
             changed = self.runs.compute([*self.refining, choice], self.coarsest.levels | {choice.name: level})
             if changed is None:
@@ -41,6 +48,20 @@ class Choices:
                 change = (value - before) / abs(before) if before else 0.0
                 if abs(change) > SHARE * self.within and abs(value - before) > scatter:
                     self.found.append((question, choice, level, change))
+
+    def _changes(self):
+        """[(choice, the level that it is changed to)]"""
+        levels = ((choice, next((level for level in (1, -1) if choice.settings(level) is not None), None)) for choice in self.choices)
+        return [(choice, level) for choice, level in levels if level is not None]
+
+    def named(self):
+        """The answers that depend on a choice."""
+        return list(dict.fromkeys(question for question, *_ in self.found))
+
+    def beside(self, question):
+        """What the choices change, to stand beside an interval."""
+        changes = [(choice.name, change) for asked, choice, _, change in self.found if asked == question]
+        return "".join(f", but {100 * change:+.2g} % by another {name}" for name, change in changes)
 
     def sentences(self):
         if self.localizes:

@@ -56,17 +56,20 @@ def run(scene, read, asked, options, others):
     print(f"run: {os.path.relpath(scene)} within {100 * within:g} %", flush=True)
     refining = dimensions.refining(read)
     if not refining:
-        raise Unusable(f"{os.path.relpath(scene)} has neither zones nor particles whose number could be changed; compute it by other means.")
+        raise Unusable(f"{os.path.relpath(scene)} has no zones, particles, elements or columns whose number could be changed; compute it by other means.")
     runs = Runs(scene, read, questions, out, others, within)
-    names, nearer = [each.name for each in refining], dimensions.rest(read)
-    first = coarsest(lambda levels: runs.compute(refining, levels), names, LOWEST)
+    nearer = dimensions.rest(read)
+    first = coarsest(lambda levels: runs.compute(refining, levels), [each.name for each in refining], LOWEST)
     if first is None:
         raise runs.failed()
-    search = Search(lambda levels: runs.compute([*refining, *nearer], levels), names, within, budget, rest="".join(each.name for each in nearer))
-    reached = search.run(first)
     choices = Choices(runs, refining, dimensions.choices(read), first, within, localizes=softens(read))
+    choices.begin(budget)
+    search = Search(lambda levels: runs.compute([*refining, *nearer], levels), within, budget, rest="".join(each.name for each in nearer),
+                    ahead=lambda *levels: runs.ahead([*refining, *nearer], *levels))
+    reached = search.run(first)
     choices.compute(budget - sum(run.seconds for run in search.runs))
     write_csv(out / "accuracy.csv", csv_rows(search))
     (out / "accuracy.md").write_text("\n".join([*markdown(search), "", *choices.sentences()]) + "\n", encoding="utf-8")
-    print(*verdict(search, reached, runs.scatter), *choices.sentences(), f"\naccuracy           {out / 'accuracy.md'}, accuracy.csv", sep="\n")
+    print(*verdict(search, reached, runs.scatter, choices), *choices.sentences(), "", f"accuracy           {out / 'accuracy.md'}, accuracy.csv",
+          sep="\n")
     return (0 if reached else NOT_REACHED), out / dimensions.name_of(search.best.levels)

@@ -15,6 +15,8 @@ LENGTHS = ("size", "ground_size", "radius", "radius_min", "radius_max")  # of pa
 PACKINGS = ("cells", "packing", "square_packing", "random_packing")
 LININGS = ("beam", "zones", "particles")  # from the cheapest to the finest
 STATED = "stated"
+COLUMN_SPACING = 100.0  # where a whole tunnel's ground states none [m]
+WHOLE_TUNNELS = {"beam": "chain", "chain": "beam"}  # the other model of each
 
 
 @dataclass(frozen=True)
@@ -107,7 +109,8 @@ def settings_of(dimensions, levels):
 
 
 def refining(scene):
-    """[Dimension]: zones and particles, where a scene, given as mappings and lists in SI units, states them."""
+    """[Dimension]: zones and particles, or elements of a whole tunnel and its columns of ground, where a scene, given as mappings and
+    lists in SI units, states them."""
     zones, ratios, particles = {}, {}, {}
     for path, part in parts_of(scene):
         if path.endswith("continuum"):
@@ -118,10 +121,15 @@ def refining(scene):
             particles |= collected({key: part[key] for key in PACKINGS if key in part}, path, LENGTHS)
     for path, region in _tunnel_regions(scene):
         particles |= {f"{path}.{key}": region[key] for key in LENGTHS if key in region}
+    whole = scene.get("simplified", {})
+    elements = collected(whole.get("tunnel", {}), "simplified.tunnel", ("element_length",))
+    columns = {"simplified.ground.column_spacing": whole["ground"].get("column_spacing", COLUMN_SPACING)} if "ground" in whole else {}
     for number, tunnel in enumerate(scene.get("tunnels", [])):
         zones |= collected(tunnel.get("zones", {}), f"tunnels[{number}].zones", ("across",))
     found = (Zones("zones", zones, 1, ("half as long zones", "zones twice as long"), ratios=ratios),
-             Dimension("particles", particles, -1, ("half as large particles", "particles twice as large")))
+             Dimension("particles", particles, -1, ("half as large particles", "particles twice as large")),
+             Dimension("elements", elements, -1, ("half as long elements", "elements twice as long")),
+             Dimension("columns", columns, -1, ("columns half as far apart", "columns twice as far apart")))
     return [dimension for dimension in found if dimension.values]
 
 
@@ -151,13 +159,23 @@ def choices(scene):
     begins = {f"{path}.continuum_ends.{axis}": value for path, strip in strips for axis, value in strip["particles_begin"].items()}
     ends = {f"{path}.continuum_ends.{axis}": value for path, strip in strips for axis, value in strip["continuum_ends"].items()}
     found = [
-        Dimension("step", {} if "dt" in time else {"time.dt_factor": time.get("dt_factor", 0.5)}, -1, ("half of it", "twice as long a step"), most=1.0),
+        _step(time, "simplified" in scene),
         Dimension("substeps", {"time.substeps": time.get("substeps", 1)} if coupled and time.get("substeps", 1) else {}, -1,
                   ("half of them", "twice as many"), whole=True),
         Dimension("overlap", widths | ends, 1, ("twice as wide", "half as wide"), origins=begins),
         Dimension("reach", {f"{path}.ground": region["ground"] for path, region in regions}, 1, ("twice as far", "half as far"))]
     linings = {f"tunnels[{n}]": tunnel["lining"].get("as", "particles") for n, tunnel in enumerate(scene.get("tunnels", []))}
-    return [dimension for dimension in found if dimension.values] + ([Lining("lining", linings)] if linings else []) + _way_to_rest(scene)
+    model = scene.get("simplified", {}).get("model")
+    other = [Other("model", {"simplified.model": WHOLE_TUNNELS[model]}, f"the {WHOLE_TUNNELS[model]}")] if model in WHOLE_TUNNELS else []
+    return [dimension for dimension in found if dimension.values] + ([Lining("lining", linings)] if linings else []) + other + _way_to_rest(scene)
+
+
+def _step(time, implicit):
+    """An explicit step that is stated in seconds is limited by the size of zones and particles, which is not told here."""
+    words = ("half of it", "twice as long a step")
+    if implicit:
+        return Dimension("step", {"time.dt": time["dt"]} if "dt" in time else {}, -1, words)
+    return Dimension("step", {} if "dt" in time else {"time.dt_factor": time.get("dt_factor", 0.5)}, -1, words, most=1.0)
 
 
 def _tunnel_regions(scene):

@@ -1,7 +1,9 @@
 """Computes a scene at levels of its dimensions and reads the answers to its questions."""
 import os
+import re
 import time
-from dataclasses import dataclass
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 import numpy as np
@@ -13,16 +15,18 @@ from adit.results.files import Unusable
 from adit.runs import children
 
 OF_CRACKS = ("crack_path", "longest_crack_path")  # figures that only a run with cracks has
+FIGURE, PLACE = re.compile(r".*_(m|m_per_s2?|N|Nm|Pa)"), re.compile(r"statics_.*|.*_[xy]_m")  # by their units
 
 
 @dataclass
 class Computed:
-    """A model: its levels, {question: value}, and what it cost [s]. Where it scatters, the value is the median of several runs, and
-    `ranges` = {question: (least, largest)}."""
+    """A model: its levels, {question: value}, what it cost [s], and {key: value} of all its figures. Where it scatters, the value is the
+    median of several runs, and `ranges` = {question: (least, largest)}."""
     levels: dict
     values: dict
     seconds: float
     ranges: dict = None
+    figures: dict = field(default_factory=dict)
 
     def spread(self, question):
         """Half of the range."""
@@ -41,15 +45,30 @@ def answer(run, question):
     return abs(float(value)) if "_largest_" in question else float(value)
 
 
+def figures(run):
+    """{key: value} of what is moved, borne or strained at any place: numbers of the summary, and the largest sizes of the histories."""
+    keys = [key for key in dict.fromkeys([*run.summary, *run.histories]) if FIGURE.fullmatch(key) and not PLACE.fullmatch(key)]
+    return {key: value for key in keys if (value := answer(run, key)) is not None}
+
+
 class Runs:
     """Computes a scene, whose content is `read`, each run in a folder of its own below `out`. `others`: options of the program.
-    `within`: a scatter below a tenth of it is none."""
+    `within`: a scatter below a tenth of it is none. Models that are begun ahead are computed beside the one that is asked for."""
 
     def __init__(self, scene, read, questions, out, others, within):
         self.scene, self.questions, self.out, self.others = scene, questions, out, others
+        self.program = programs.program("simplified" if "simplified" in read else "coupler")
         self.scatter = Scatter(read, within / 10)
         self.failure = ""  # why the last model could not be computed
         self.computed = []
+        self.beside = ThreadPoolExecutor(1)
+        self.begun = {}  # {name of a run: Future of what _program() returns}
+
+    def ahead(self, dimensions, *several_levels):
+        """Begins models that will be asked for."""
+        for levels in several_levels:
+            if (settings := settings_of(dimensions, levels)) is not None:
+                self._begin(name_of(levels), settings)
 
     def compute(self, dimensions, levels):
         """A Computed, or None where the scene cannot be made so or computed so. Raises Unusable where the first model does not know a
@@ -58,18 +77,21 @@ class Runs:
         if settings is None:
             self.failure = f"{name} is not possible"
             return None
-        begun = time.monotonic()
-        run = self._run(name, settings)
-        if run is None:
-            return None
-        values = self._answers(run, name)
+        run, seconds = self._run(name, settings)
+        values = run and self._answers(run, name)
         if values is None:
             return None
-        others = self.scatter.others(bool(run.summary.get("crack_count")))
-        further = [self._answers(more, name) for number, changed in enumerate(others, 2) if (more := self._run(f"{name}_{number}", settings | changed))]
-        all_values = {question: [each[question] for each in (values, *(one for one in further if one))] for question in self.questions}
-        found = Computed(levels, values, time.monotonic() - begun)
-        if self.scatter.counts(all_values, bool(run.summary.get("crack_count"))):
+        found, cracked = Computed(levels, values, seconds, figures=figures(run)), bool(run.summary.get("crack_count"))
+        all_values = {question: [value] for question, value in values.items()}
+        others = {f"{name}_{number}": settings | changed for number, changed in enumerate(self.scatter.others(cracked), 2)}
+        for other in reversed(others):  # from the last one on, while the first are computed here
+            self._begin(other, others[other])
+        for other in others:
+            run, seconds = self._run(other, others[other])
+            found.seconds += seconds
+            for question, value in (run and self._answers(run, other) or {}).items():
+                all_values[question].append(value)
+        if self.scatter.counts(all_values, cracked):
             found.values = {question: float(np.median(each)) for question, each in all_values.items()}
             found.ranges = {question: (min(each), max(each)) for question, each in all_values.items()}
         self.computed.append(found)
@@ -93,15 +115,25 @@ class Runs:
                 return None
         return values
 
+    def _begin(self, name, settings):
+        if name not in self.begun:
+            self.begun[name] = self.beside.submit(self._program, name, settings)
+
     def _run(self, name, settings):
-        """The Run, or None."""
-        folder = self.out / name
-        sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-        code, said = children.run([programs.program("coupler"), "run", self.scene, "--out", folder, *sets, *self.others])
+        """(the Run, or None, its seconds), of a run that was begun or not."""
+        begun = self.begun.pop(name, None)
+        code, said, seconds = begun.result() if begun and not begun.cancel() else self._program(name, settings)
         if code:
             self.failure = f"{name} cannot be computed (exit code {code}): {(said.strip() or 'it said nothing').splitlines()[-1].removeprefix('error: ')}"
             self._tell_failure()
-        return Run(folder) if code == 0 else None
+        return (Run(self.out / name) if code == 0 else None), seconds
+
+    def _program(self, name, settings):
+        """(exit code, what the program said, its seconds)."""
+        begun = time.monotonic()
+        sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+        code, said = children.run([self.program, "run", self.scene, "--out", self.out / name, *sets, *self.others])
+        return code, said, time.monotonic() - begun
 
     def _tell_failure(self):
         """But for models before the first one, which are coarser than they can be."""

@@ -1,74 +1,95 @@
-"""Refines of a scene only what its error comes from, until the results are as accurate as is asked.
+"""Refines a scene until the results are as accurate as is asked.
 
-The errors of the dimensions add up, each from values that differ in this dimension alone, and the scatter of what has no order. The
-coarsest model comes first, because it costs next to nothing: each halving costs about eight times as much as the one before. Every
-dimension is halved twice: two changes are the least that tell an order, and one alone can be small by chance. As long as a result is
-not accurate enough, the dimension with the largest error of the worst result is halved. A result that scatters by more than is asked
-is left alone.
+All dimensions are halved together: their ratio stays, so that the changes from model to model tell the error of all of them (Roache
+1994). The coarsest model comes first, because it costs next to nothing: each halving costs about eight times as much as the one before.
+Two models are enough where little changes, and not by chance: the median change of all figures of the runs must be as small as that of
+the answers. A result that scatters by more than is asked is left alone.
 
 Where statics bring the model to rest, the coarsest model is also computed nearer to it: no answer is told more accurately than that.
 """
 from dataclasses import dataclass, field
+from statistics import median
 
-from adit.accuracy.estimate import Error, error_of
+from adit.accuracy.estimate import OF_ONE, Error, error_of
 from adit.accuracy.runs import Computed
 
-ENOUGH = 2  # changes
 GROWS = 8  # what halved lengths add to the cost, over what the last ones added: in the plane and in time
+FEW = 3  # figures at least tell whether changes are small by chance
+
+
+def none_ahead(*levels):
+    """Nothing is computed before it is asked for."""
 
 
 @dataclass
 class Search:
     """`compute(levels)` returns a Computed, or None where the scene cannot be made so; `within`: the error asked for, relative to each
-    value; `budget` [s]. After `run()`: `runs` in their order, `best`, the finest, and `errors` = {question: {dimension: Error}}."""
+    value; `budget` [s]; `ahead(levels, …)` may begin models that will be asked for. After `run()`: `models` from the coarsest to the
+    finest, `nearer`, the coarsest nearer to rest, and `stuck`, whether the finest cannot be halved."""
     compute: object
-    dimensions: list
     within: float
     budget: float
-    runs: list = field(default_factory=list)
-    best: Computed = None
-    pairs: dict = field(default_factory=dict)  # of each dimension: [(coarser, finer)] that differ in it alone, as it is halved
-    stuck: set = field(default_factory=set)  # dimensions that cannot be halved as long as the others are as they are
     rest: str = ""  # dimension of how near to rest the model comes, where there is one
-    unrest: dict = field(default_factory=dict)  # {question: relative error of the coarsest model by that}
-    next_seconds: float = 0.0  # what the last halving was expected to cost
+    ahead: object = none_ahead
+    models: list = field(default_factory=list)
+    nearer: Computed = None
+    stuck: bool = False
 
     def run(self, coarsest):
         """Whether the accuracy was reached, from the run of the coarsest model."""
-        self.runs, self.best = [coarsest], coarsest
-        self.pairs = {dimension: [] for dimension in self.dimensions}
-        nearer = self.rest and self._computed(coarsest.levels | {self.rest: 1})
-        if nearer:
-            self.unrest = {question: error_of([nearer.values[question] - value]).size / abs(value) for question, value in coarsest.values.items() if value}
-        while (dimension := self.next()) is not None:
-            if not self._refine(dimension):
-                return False
+        self.models = [coarsest]
+        nearer = coarsest.levels | {self.rest: 1}
+        if self.rest:
+            self.ahead(nearer)
+        if not self._refine():
+            return False
+        if self.rest:
+            self.nearer = self.compute(nearer)
+        while self.unfinished() and self._refine():
+            pass
         return self.reached()
 
-    def next(self):
-        """The dimension to halve: the one of which least is known, or the worst; None where nothing is left to refine. A dimension that
-        could not be halved waits until another one is: zones must not be finer than the particles that they follow."""
-        unknown = [dimension for dimension, pairs in self.pairs.items() if len(pairs) < ENOUGH]
-        wanted = [min(unknown, key=lambda name: len(self.pairs[name]))] if unknown else [self.worst()] if self.worst() else []
-        free = [dimension for dimension in self.dimensions if dimension not in self.stuck]
-        return next((name for name in [*wanted, *free] if wanted and name in free), None)
+    @property
+    def best(self):
+        return self.models[-1]
 
     @property
-    def errors(self):
-        def changes(question, pairs):
-            return [finer.values[question] - coarser.values[question] for coarser, finer in pairs]
+    def runs(self):
+        """All models, the finest last."""
+        return [self.models[0], *([self.nearer] if self.nearer else []), *self.models[1:]]
 
-        return {question: {name: error_of(changes(question, pairs)) for name, pairs in self.pairs.items() if pairs}
-                | ({self.rest: Error(self.unrest[question] * abs(value))} if question in self.unrest else {})
-                for question, value in self.best.values.items()}
+    def unfinished(self):
+        """Whether halving may still help a result that is not accurate enough."""
+        return not self.stuck and any(self.lacking(question) and not self.scatters(question) for question in self.best.values)
+
+    def reached(self):
+        return not any(map(self.lacking, self.best.values))
+
+    def refinement(self, question):
+        """The Error that halved lengths would remove; infinite where there is but one model."""
+        if len(self.models) == 1:
+            return Error(float("inf"))
+        values = [model.values[question] for model in self.models]
+        error = error_of([finer - coarser for coarser, finer in zip(values, values[1:])])
+        if len(self.models) > 2:
+            return error
+        return Error(max(error.size, OF_ONE * median_change(*self.models) * abs(values[-1])))
+
+    def unrest(self, question):
+        """The Error of not being at rest, as far as the coarsest model shows it; None where there are no statics."""
+        coarsest = self.models[0].values[question]
+        if not self.nearer or not coarsest:
+            return None
+        return Error(error_of([self.nearer.values[question] - coarsest]).size * abs(self.best.values[question] / coarsest))
 
     def value(self, question):
         """The middle of the interval: that of the finest model, and what the changes before it add."""
-        return self.best.values[question] + sum(error.shift for error in self.errors[question].values())
+        return self.best.values[question] + self.refinement(question).shift
 
     def interval(self, question):
-        """Half of the interval of a result, by all dimensions and its scatter."""
-        return sum(error.size for error in self.errors[question].values()) + self.best.spread(question)
+        """Half of the interval of a result, by all of its errors and its scatter."""
+        unrest = self.unrest(question)
+        return self.refinement(question).size + (unrest.size if unrest else 0.0) + self.best.spread(question)
 
     def lacking(self, question):
         """Whether a result is not as accurate as is asked."""
@@ -78,48 +99,31 @@ class Search:
         """Whether a result scatters by more than is asked."""
         return self.best.spread(question) > self.within * abs(self.best.values[question])
 
-    def reached(self):
-        return all(len(pairs) >= ENOUGH for pairs in self.pairs.values()) and not any(map(self.lacking, self.best.values))
+    def next_seconds(self):
+        """What a further halving would cost [s]."""
+        before = self.models[-2].seconds if len(self.models) > 1 else 0.0
+        return self.best.seconds + GROWS * max(self.best.seconds - before, 0.0)
 
-    def worst(self):
-        """The dimension with the largest error of the result that is the farthest from the accuracy asked for; None where all others
-        than those that scatter are as accurate."""
-        def error(question):
-            value = abs(self.value(question))
-            return self.interval(question) / value if value else float(self.interval(question) > 0)
-
-        open_ones = [question for question in self.best.values if self.lacking(question) and not self.scatters(question)]
-        if not open_ones:
-            return None
-        errors = self.errors[max(open_ones, key=error)]
-        return max((name for name in self.pairs if name in errors), key=lambda name: errors[name].size, default=self.dimensions[0])
-
-    def seconds_of(self, dimension):
-        """What halving a dimension would cost [s]."""
-        pairs = self.pairs[dimension]
-        added = pairs[-1][1].seconds - pairs[-1][0].seconds if pairs else self.best.seconds
-        return self.best.seconds + GROWS * max(added, 0)
-
-    def _refine(self, dimension):
-        """Halves it, where that can be; returns whether the budget allows it."""
-        pairs = self.pairs[dimension]
-        self.next_seconds = self.seconds_of(dimension)
-        if sum(run.seconds for run in self.runs) + self.next_seconds > self.budget:
+    def _refine(self):
+        """Halves all lengths, if the budget allows it and the scene can be made so; returns whether it was done."""
+        if sum(run.seconds for run in self.runs) + self.next_seconds() > self.budget:
             return False
-        finer = self._computed(self.best.levels | {dimension: self.best.levels[dimension] + 1})
-        if finer is None:
-            self.stuck.add(dimension)
-        else:
-            self.stuck.clear()
-            pairs.append((self.best, finer))
-            self.best = finer
-        return True
+        finer = self.compute(finer_than(self.best.levels))
+        self.stuck = finer is None
+        if finer:
+            self.models.append(finer)
+        return not self.stuck
 
-    def _computed(self, levels):
-        run = self.compute(levels)
-        if run is not None:
-            self.runs.append(run)
-        return run
+
+def finer_than(levels):
+    return {name: level + 1 for name, level in levels.items()}
+
+
+def median_change(coarser, finer):
+    """Relative, of all figures of two models that do change; infinite where they are too few."""
+    pairs = [(coarser.figures[key], value) for key, value in finer.figures.items() if key in coarser.figures]
+    changes = [abs(after / before - 1) for before, after in pairs if before and after != before]
+    return median(changes) if len(changes) >= FEW else float("inf")
 
 
 def coarsest(compute, dimensions, lowest):

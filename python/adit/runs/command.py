@@ -52,8 +52,8 @@ def run(options, others):
     programs.bring_up_to_date(*sorted({name for solver in solvers for name in NEEDED[solver]}))
     if len(scenes) > 1 and options.vary:
         raise Unusable(f"--vary needs one scene, and {given} holds {len(scenes)}.")
-    if len(scenes) == 1 and solvers[0] == "coupler" and not options.vary or options.within:
-        code = as_accurate(scenes, solvers, options, others + servers_of(options))
+    if len(scenes) == 1 and not options.vary or options.within:
+        code = as_accurate(scenes, options, others + servers_of(options))
         if code is not None:
             return code
     if options.figure or options.budget:
@@ -78,12 +78,12 @@ def run(options, others):
     return 0
 
 
-def as_accurate(scenes, solvers, options, others):
+def as_accurate(scenes, options, others):
     """The exit code; None where neither the command nor the scene asks for an accuracy."""
     from adit.accuracy import command as accuracy, scene
 
-    if len(scenes) > 1 or solvers[0] != "coupler" or options.vary:
-        raise Unusable("--within needs one scene of zones or particles, and no --vary; name one.")
+    if len(scenes) > 1 or options.vary:
+        raise Unusable("--within needs one scene, and no --vary; name one.")
     read = scene.read(scenes[0], others)
     asked = accuracy.asked_of(read, options)
     if asked is None:

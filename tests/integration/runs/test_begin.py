@@ -83,6 +83,8 @@ class Begin(ComputedTest):
             with self.subTest(substeps=substeps):
                 waiting, computed = self.runs(substeps=substeps)
                 self.assertNotIn("particles_began_s", waiting.summary)
+                self.assertGreater(waiting.summary["particles_waited_demand"], 0.05)
+                self.assertLess(waiting.summary["particles_waited_demand"], 0.8)
                 self.assert_alike(waiting, computed, surface_vx_m_per_s=2e-3, middle_ux_m=1e-3, middle_sxy_Pa=5e-3, cut_shear_N=1e-2)
                 self.assert_alike(waiting, computed, middle_vx_m_per_s=2e-2)  # they have no own oscillations
                 self.assertLess(np.abs(waiting.histories["energy_drift"]).max(), 1e-12)

@@ -263,7 +263,7 @@ continuum:
 
     def test_what_would_make_a_long_run_shorter_is_told(self):
         """An eighth of the stepping for a model half as fine; less for cells that wait, where they may; nothing for a run of seconds."""
-        given = begin.scene(demand=None, size=0.15, substeps=8)
+        given = begin.scene(demand=None, size=0.15, substeps=8) | {"output": {"history_interval": 0.1}}
         short = self.check(self.scene(json.dumps(given), "short.json"))
         self.assertNotIn("shorter", short.lines)
         given["time"]["duration"] = 1000
@@ -274,7 +274,9 @@ continuum:
         self.assertIn("particles", waiting)
         self.assertLess(seconds(waiting.split(" while ")[0]), 0.7 * expected)
         given["particles"]["begin"] = {"demand": 0.8}
-        self.assertEqual(len(self.check(self.scene(json.dumps(given), "waits.json")).lines["shorter"]), 1)
+        waits = self.check(self.scene(json.dumps(given), "waits.json"))
+        self.assertEqual(len(waits.lines["shorter"]), 1)
+        self.assertIn("ms while particles wait", waits.line("time to expect"))
 
     def test_the_undeformed_model_is_written_where_it_is_asked_for(self):
         ground, particles = self.scene(GROUND, "ground.yaml"), self.scene(PARTICLES, "particles.yaml")
