@@ -59,6 +59,7 @@ Pace measure_pace(const Model& model, const Schedule& schedule, Stepper& stepper
       stepper.step(n, schedule.wanted(n));
       ++steps;
     });
+    pace.waiting = stepper.regions().any_wait();
     const std::vector<double> after = computed(model);
     for (std::size_t s = 0; s < after.size(); ++s)
       if (model.participants[s].member.role == Role::kContinuum)

@@ -14,6 +14,7 @@ struct Pace {
   double step = 0;       // of time [s]
   double grids = 0;      // what the slowest continuum computes in it [s]
   double relaxing = 0;   // step of statics [s]; 0: the scene has none
+  bool waiting = false;  // particles wait in these steps (stepping/condensed_regions.hpp)
   std::string unstable;  // why the first steps failed; then the model cannot be asked for anything more
 
   bool stable() const { return unstable.empty(); }

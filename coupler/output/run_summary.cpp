@@ -193,11 +193,11 @@ void RunSummary::add_waiting(const Stepper& stepper) {
   if (!regions.asked()) return;
   summary_.set("particles_followed", regions.followings());
   bool any_began = false;
-  for (const auto& [region, beginning] : regions.stories()) {
+  for (const auto& [region, beginning, largest] : regions.stories()) {
     if (!beginning) {
-      lines_.push_back(fmt::format(
-          "{:<18} waited to the end: the demand stayed below that of `begin`, looked at {} times", region,
-          regions.followings()));
+      summary_.set(region + "_waited_demand", largest);
+      lines_.push_back(fmt::format("{:<18} waited to the end; the largest demand was {:.3g}, looked at {} times",
+                                   region, largest, regions.followings()));
       continue;
     }
     const double time = static_cast<double>(beginning->step) * model_.dt;

@@ -220,7 +220,7 @@ void CondensedRegions::read(Region& region, const wire::Condensed& told) {
     state::require_of_model(vector->size() == size, "region_motion");
   }
   region.restoring_told = region.stiffness * region.q_told;
-  if (!goes_on) region.demand = told.demand();
+  if (!goes_on) region.demand = region.largest_demand = told.demand();
 }
 
 void CondensedRegions::step(std::uint64_t n, Wanted wanted) {
@@ -355,6 +355,7 @@ void CondensedRegions::follow(Wanted wanted) {
     if (const double square = region.square_since_told(); square > 0)
       region.rate = std::max(region.rate, std::abs(told.demand() - region.demand) / std::sqrt(square));
     region.demand = told.demand();
+    region.largest_demand = std::max(region.largest_demand, region.demand);
     region.q_told = region.q;
     region.restoring_told = region.restoring;
   }
@@ -398,7 +399,7 @@ std::vector<double> CondensedRegions::at_points(const Region& region,
 std::vector<CondensedRegions::Story> CondensedRegions::stories() const {
   std::vector<Story> stories;
   for (const Region& region : regions_)
-    stories.push_back({model_.participants[region.particles].member.name, region.beginning});
+    stories.push_back({model_.participants[region.particles].member.name, region.beginning, region.largest_demand});
   return stories;
 }
 
@@ -425,6 +426,7 @@ void CondensedRegions::exchange(state::Archive& archive) {
     }
     archive("region_work", region.work);
     archive("region_demand", region.demand);
+    archive("region_largest_demand", region.largest_demand);
     archive("region_rate", region.rate);
     archive("region_external_work", region.external_work);
   }

@@ -84,6 +84,7 @@ class CondensedRegions {
   struct Story {
     std::string region;
     std::optional<Beginning> beginning;  // none: it still waits
+    double largest_demand;               // of the looks at it while it waited
   };
   std::vector<Story> stories() const;
   std::uint64_t followings() const { return followings_; }  // steps at which particles were told
@@ -109,6 +110,7 @@ class CondensedRegions {
     Eigen::VectorXd impulses;                // on it, of the last step [N s]
     double work = 0;                         // of these [J]
     double demand = 0, rate = 0;             // the latest, and its largest change per root of energy [J^-1/2]
+    double largest_demand = 0;
     Eigen::VectorXd q_told, restoring_told;  // when it was looked at last
     double external_work = 0;                // that the particles told last [J]
     bool prescribed(Eigen::Index k) const { return any_prescribed && std::isinf(mass[k]); }
