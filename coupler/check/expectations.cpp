@@ -102,10 +102,10 @@ void print_memory(const Model& model, const Volume& volume) {
 void print_time(const Model& model, const Schedule& schedule, const Pace& pace, const Volume& volume) {
   const double steps = pace.step * static_cast<double>(model.steps);
   const double fields = volume.field_seconds * static_cast<double>(schedule.field_count());
-  std::string text = fmt::format("{}: {} steps of {:.3g} ms{}, {} for set-up and results",
-                                 clock_time(steps + fields + pace.set_up), grouped(model.steps),
-                                 1e3 * pace.step, pace.waiting ? " while particles wait" : "",
-                                 clock_time(fields + pace.set_up));
+  std::string text =
+      fmt::format("{}: {} steps of {:.3g} ms{}, {} for set-up and results",
+                  clock_time(steps + fields + pace.set_up), grouped(model.steps), 1e3 * pace.step,
+                  pace.waiting ? " while particles wait" : "", clock_time(fields + pace.set_up));
   if (pace.relaxing > 0)
     text += fmt::format("; before that {} for every 1,000 steps of statics", clock_time(1e3 * pace.relaxing));
   print_line("time to expect", text);

@@ -11,10 +11,10 @@
 namespace adit::coupler {
 namespace {
 
-constexpr double kShort = 60;          // nobody waits for such a run [s]
-constexpr double kHalfAsFine = 8;      // a quarter of the points, half of the steps
-constexpr double kWorthwhile = 0.7;    // of the time as it is
-constexpr double kLook = 1.7e-6;       // at a cell, on a core of 2023 [s]
+constexpr double kShort = 60;        // nobody waits for such a run [s]
+constexpr double kHalfAsFine = 8;    // a quarter of the points, half of the steps
+constexpr double kWorthwhile = 0.7;  // of the time as it is
+constexpr double kLook = 1.7e-6;     // at a cell, on a core of 2023 [s]
 
 // Grid points that move this participant by the interface.
 std::size_t masters_of(const Model& model, const Interface& interface) {
@@ -36,7 +36,8 @@ bool might_wait(const Model& model, std::size_t s) {
 
 // Steps at which the particles are told how the grid has moved.
 double looks(const Model& model, const Schedule& schedule) {
-  return static_cast<double>(std::max(schedule.row_count() + schedule.peak_count(), model.steps / kLookInterval));
+  return static_cast<double>(
+      std::max(schedule.row_count() + schedule.peak_count(), model.steps / kLookInterval));
 }
 
 void print_waiting(const Model& model, const Schedule& schedule, const Pace& pace) {
@@ -62,8 +63,9 @@ void print_waiting(const Model& model, const Schedule& schedule, const Pace& pac
 void print_savings(const Model& model, const Schedule& schedule, const Pace& pace) {
   const double stepping = pace.step * static_cast<double>(model.steps);
   if (stepping < kShort) return;
-  print_line("shorter", fmt::format("{} with zones and particles twice as large; adit trade says what that changes",
-                                    clock_time(stepping / kHalfAsFine + pace.set_up)));
+  print_line("shorter",
+             fmt::format("{} with zones and particles twice as large; adit trade says what that changes",
+                         clock_time(stepping / kHalfAsFine + pace.set_up)));
   print_waiting(model, schedule, pace);
 }
 

@@ -7,8 +7,8 @@
 
 namespace adit::coupler {
 
-// Prints the choices that would make a run shorter that takes a minute or more, each with the time that it would
-// take: a model half as fine, and cells that wait (stepping/condensed_regions.hpp). What waits is
+// Prints the choices that would make a run shorter that takes a minute or more, each with the time that it
+// would take: a model half as fine, and cells that wait (stepping/condensed_regions.hpp). What waits is
 // estimated; that it can is known after statics only.
 void print_savings(const Model& model, const Schedule& schedule, const Pace& pace);
 

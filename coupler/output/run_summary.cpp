@@ -196,8 +196,9 @@ void RunSummary::add_waiting(const Stepper& stepper) {
   for (const auto& [region, beginning, largest] : regions.stories()) {
     if (!beginning) {
       summary_.set(region + "_waited_demand", largest);
-      lines_.push_back(fmt::format("{:<18} waited to the end; the largest demand was {:.3g}, looked at {} times",
-                                   region, largest, regions.followings()));
+      lines_.push_back(
+          fmt::format("{:<18} waited to the end; the largest demand was {:.3g}, looked at {} times", region,
+                      largest, regions.followings()));
       continue;
     }
     const double time = static_cast<double>(beginning->step) * model_.dt;

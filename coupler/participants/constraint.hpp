@@ -54,7 +54,7 @@ class Constraint {
   Interpolation coarse_;  // N and M of all coarse sides in one numbering
   std::unique_ptr<MultiplierSolve> solve_;
   std::map<std::size_t, std::size_t> idle_;  // coupling points from the first to before the second
-  std::vector<double> own_, at_points_;  // scratch
+  std::vector<double> own_, at_points_;      // scratch
 };
 
 }  // namespace adit::coupler

@@ -91,7 +91,7 @@ struct Participant {
   // coupling points over it: with masses m / ratio² in one clock, the motion is the same. Statics use it
   // (time_step.hpp).
   double step_ratio = 1;
-  bool waits = false;          // condensed (stepping/condensed_regions.hpp): no step asks for it
+  bool waits = false;                    // condensed (stepping/condensed_regions.hpp): no step asks for it
   bool scaled_masses = false;            // it has those of statics (wire.proto, Advance)
   std::optional<protocol::Drift> drift;  // to be sent with the next step
 

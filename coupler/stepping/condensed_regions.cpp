@@ -15,7 +15,7 @@ namespace adit::coupler {
 namespace {
 
 constexpr std::size_t kNowhere = ~std::size_t{0};
-constexpr double kSafety = 1.5;        // of the largest rate of the demand so far
+constexpr double kSafety = 1.5;  // of the largest rate of the demand so far
 // What they take on a core of 2023 [s]: a number of a matrix with the exchange that it makes wait, a step of
 // a cell; and what is little beside a round trip.
 constexpr double kNumber = 1.6e-9, kParticleStep = 0.15e-6, kLittle = 0.2e-3;
@@ -149,7 +149,9 @@ std::string CondensedRegions::why_not_moved(const Region& region) const {
   if (std::ranges::find(region.place, kNowhere) != region.place.end())
     return "its overlap is narrower than a zone, and grid points that move it lie beyond its width";
   const Participant& grid = model_.participants[region.grid];
-  const auto moves_it = [&](std::size_t own) { return std::ranges::find(region.own, own) != region.own.end(); };
+  const auto moves_it = [&](std::size_t own) {
+    return std::ranges::find(region.own, own) != region.own.end();
+  };
   for (const Segment& segment : grid.segments) {
     if (segment.global == region.begin) continue;
     for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row)
@@ -172,7 +174,8 @@ std::string CondensedRegions::costs_more(const Region& region) const {
     return fmt::format("the matrices of {} grid points in its overlap are longer than a message may be",
                        region.own.size());
   const auto count = static_cast<double>(particles.counts.particles());
-  if (seconds_to_move(region.own.size()) <= std::max(kLittle, count * model_.substeps * kParticleStep)) return {};
+  if (seconds_to_move(region.own.size()) <= std::max(kLittle, count * model_.substeps * kParticleStep))
+    return {};
   return fmt::format("{} grid points in its overlap would cost more than its {} particles in {} substeps",
                      region.own.size(), particles.counts.particles(), model_.substeps);
 }
@@ -247,8 +250,8 @@ void CondensedRegions::move(std::uint64_t n) {
 
 void CondensedRegions::look(std::uint64_t n, Wanted wanted) {
   if (!any_wait()) return;
-  const bool near = std::ranges::any_of(
-      regions_, [](const Region& region) { return region.waits && may_be_near(region); });
+  const bool near =
+      std::ranges::any_of(regions_, [](const Region& region) { return region.waits && may_be_near(region); });
   const bool due = n % kLookInterval == 0;
   reached_ = n;
   told_ = false;
@@ -399,7 +402,8 @@ std::vector<double> CondensedRegions::at_points(const Region& region,
 std::vector<CondensedRegions::Story> CondensedRegions::stories() const {
   std::vector<Story> stories;
   for (const Region& region : regions_)
-    stories.push_back({model_.participants[region.particles].member.name, region.beginning, region.largest_demand});
+    stories.push_back(
+        {model_.participants[region.particles].member.name, region.beginning, region.largest_demand});
   return stories;
 }
 

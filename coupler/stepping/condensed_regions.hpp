@@ -11,14 +11,15 @@
 // they are told how the grid points have moved and are put into the state into which they have followed.
 //
 // The demand is looked at with every row of results, every fifty steps, which is about the period of the
-// shortest waves that a grid carries, and as soon as it may have come near: it changes by less than its largest
-// rate so far, per square root of strain energy, allows.
+// shortest waves that a grid carries, and as soon as it may have come near: it changes by less than its
+// largest rate so far, per square root of strain energy, allows.
 //
 // Energy: with M' = M_c + ¼ dt² K_c the scheme is the leap-frog one of M', so that ½ V(n−½)·M' V(n+½) + ½
 // q·K_c q − p·q changes by the work of the grid's impulses exactly, as the ledger has it.
 //
 // Regions begin one after another: the points of the grid that move one that still waits have nothing to do
-// with the multipliers of the others, so that the scheme of those (stepper.hpp, shared_kick.hpp) goes on beside.
+// with the multipliers of the others, so that the scheme of those (stepper.hpp, shared_kick.hpp) goes on
+// beside.
 #pragma once
 
 #include <Eigen/Dense>
@@ -42,15 +43,16 @@ struct Beginning {
   std::string reason = {};  // why it could not wait; empty: the demand was reached
 };
 
-// The motion of the grid at a region's coupling points, from the first to before the last of the model's, when
-// it begins; one pair each [m/s].
+// The motion of the grid at a region's coupling points, from the first to before the last of the model's,
+// when it begins; one pair each [m/s].
 struct GridMotion {
   std::size_t begin, end;
   std::vector<double> velocities;  // half a step of the particles after the time of the step
   std::vector<double> kicks;       // by the grid's own forces, of a whole step
 };
 
-constexpr std::uint64_t kLookInterval = 50;  // steps of the grid from one look at the demand to the next, at most
+// Steps of the grid from one look at the demand to the next, at most.
+constexpr std::uint64_t kLookInterval = 50;
 // What a step of a region takes that so many grid points move, on a core of 2023 [s].
 double seconds_to_move(std::size_t masters);
 
@@ -101,15 +103,15 @@ class CondensedRegions {
     std::vector<std::size_t> own, place;  // of each master: among the grid's own points; its coupling point
     Eigen::VectorXd mass;                 // M, infinite where a motion is prescribed [kg]
     bool any_prescribed = false;
-    Eigen::MatrixXd stiffness, inertia;      // K_c, M' [N/m], [kg]
-    Eigen::VectorXd force;                   // p [N]
-    Eigen::MatrixXd inverse;                 // of M + M' [1/kg]
-    double strain_at_rest = 0;               // [J]
-    Eigen::VectorXd q, before, velocities;   // V(n−½), V(n+½) [m], [m/s]
-    Eigen::VectorXd restoring, kick;         // K_c q(n) [N], V* − V(n−½) [m/s]
-    Eigen::VectorXd impulses;                // on it, of the last step [N s]
-    double work = 0;                         // of these [J]
-    double demand = 0, rate = 0;             // the latest, and its largest change per root of energy [J^-1/2]
+    Eigen::MatrixXd stiffness, inertia;     // K_c, M' [N/m], [kg]
+    Eigen::VectorXd force;                  // p [N]
+    Eigen::MatrixXd inverse;                // of M + M' [1/kg]
+    double strain_at_rest = 0;              // [J]
+    Eigen::VectorXd q, before, velocities;  // V(n−½), V(n+½) [m], [m/s]
+    Eigen::VectorXd restoring, kick;        // K_c q(n) [N], V* − V(n−½) [m/s]
+    Eigen::VectorXd impulses;               // on it, of the last step [N s]
+    double work = 0;                        // of these [J]
+    double demand = 0, rate = 0;            // the latest, and its largest change per root of energy [J^-1/2]
     double largest_demand = 0;
     Eigen::VectorXd q_told, restoring_told;  // when it was looked at last
     double external_work = 0;                // that the particles told last [J]
@@ -132,7 +134,7 @@ class CondensedRegions {
   void find_masters(Region& region, wire::Condense& request) const;
   std::string why_not_moved(const Region& region) const;  // empty: it can be
   const std::string& other_side(std::size_t participant, const Segment& segment) const;
-  std::string costs_more(const Region& region) const;     // empty: it does not
+  std::string costs_more(const Region& region) const;  // empty: it does not
   void read(Region& region, const wire::Condensed& told);
   void move(Region& region, std::uint64_t n);
   void book_grids(Wanted wanted);

@@ -112,8 +112,8 @@ class Ledger {
   double peak_turnover_ = 0;
   double peak_stored_ = 0, peak_unexplained_ = 0;
   double change_ = 0;
-  bool changes_ = false;             // since the last compare()
-  double unexplained_before_ = 0;  // the change [J]
+  bool changes_ = false;           // since the last compare()
+  double unexplained_before_ = 0;  // as of that compare() [J]
   double largest_gap_ = 0, largest_velocity_ = 0;
 };
 

@@ -18,9 +18,9 @@
 //   closed:  sigma = k D_n, |tau| <= chi (f_t + (c - f_t) min(1, -sigma / f_t)) - sigma (mu_r + (mu - mu_r)
 //   chi); what slips
 //     beyond that wears by c / G, G = G_f + (G_II - G_f) min(1, -sigma / c).
-// f_t and c are those at the rate with which the point is strained as it reaches its strength: (rate / 1e-6 per
-// second)^e times those of slow tests (fib Model Code 2010, 5.1.11.2), w as it is. The rate at
-// which concrete is stronger by far, beyond 10 per second, is left to inertia, which cells have (Ozbolt et al.
+// f_t and c are those at the rate with which the point is strained as it reaches its strength: (rate / 1e-6
+// per second)^e times those of slow tests (fib Model Code 2010, 5.1.11.2), w as it is. The rate at which
+// concrete is stronger by far, beyond 10 per second, is left to inertia, which cells have (Ozbolt et al.
 // 2011, Int. J. Fract. 169, 35).
 // So a facet that opens slowly dissipates f_t w = G_f, and one that is worn away bears compression and
 // friction mu_r. A shear strength of f_t under tension, and friction that is lost with the cohesion, make

@@ -16,10 +16,10 @@ class ForceCurve {
   // Two points or more, openings ascending; [m], [N], tension positive.
   ForceCurve(std::vector<double> opening, std::vector<double> force);
 
-  double force(double opening) const;   // [N]
-  double slope(double opening) const;   // of the force [N/m]
-  double energy(double opening) const;  // [J]
-  double steepest() const;              // the largest |slope| [N/m]
+  double force(double opening) const;         // [N]
+  double slope(double opening) const;         // of the force [N/m]
+  double energy(double opening) const;        // [J]
+  double steepest() const;                    // the largest |slope| [N/m]
   std::size_t segment(double opening) const;  // between two points that follow one another, from 0 on
 
  private:

@@ -35,8 +35,8 @@ double GeneralEngine::demand() const {
   return std::min(most_used().share, 1.0);
 }
 
-// What softened in statics is on its way to crack: it counts by how far it has come. A spring counts whole where
-// it has left the straight piece of its law on which it was at rest, as a bolt does that becomes slack.
+// What softened in statics is on its way to crack: it counts by how far it has come. A spring counts whole
+// where it has left the straight piece of its law on which it was at rest, as a bolt does that becomes slack.
 GeneralEngine::Used GeneralEngine::most_used() const {
   Used most;
   const Particles& p = particles();
@@ -65,8 +65,8 @@ GeneralEngine::Used GeneralEngine::most_used() const {
          joint.first, joint.second);
   const SpringForces& springs = solver_.springs();
   for (std::size_t k = 0; k < springs.springs().size(); ++k) {
-    const bool left = waiting_ && !waiting_->spring_pieces.empty() &&
-                      springs.piece(k) != waiting_->spring_pieces[k];
+    const bool left =
+        waiting_ && !waiting_->spring_pieces.empty() && springs.piece(k) != waiting_->spring_pieces[k];
     const Spring& spring = springs.springs()[k];
     uses(left ? 1 : springs.forces()[k] / spring.strength, "the spring", spring.first, spring.second);
   }
@@ -95,10 +95,11 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   const double strain_energy = solver_.strain_energy().sum();
   if (used.share >= share) {
     waiting_.reset();
-    return used.share < 1 ? fmt::format("{} at ({:.4g}, {:.4g}) m: {:.2g} of the strength is used at rest already",
-                                        used.what, used.x, used.y, used.share)
-                          : fmt::format("{} at ({:.4g}, {:.4g}) m: cracked, sliding or open at rest",
-                                        used.what, used.x, used.y);
+    return used.share < 1
+               ? fmt::format("{} at ({:.4g}, {:.4g}) m: {:.2g} of the strength is used at rest already",
+                             used.what, used.x, used.y, used.share)
+               : fmt::format("{} at ({:.4g}, {:.4g}) m: cracked, sliding or open at rest", used.what, used.x,
+                             used.y);
   }
   const FacetSet& set = solver_.facets().set();
   std::vector<std::uint32_t> first(set.first.begin(), set.first.end()),

@@ -109,7 +109,7 @@ class GeneralEngine final : public LocalEngine {
   // Of particles that wait: the state from which they follow, how they follow, and where they are to be.
   struct Waiting {
     state::Parts rest;
-    std::vector<std::uint32_t> softened = {};  // facets that were beyond their strength there, ascending
+    std::vector<std::uint32_t> softened = {};     // facets that were beyond their strength there, ascending
     std::vector<std::size_t> spring_pieces = {};  // of the laws of all springs there
     std::optional<Substructure> substructure = {};
     ParticlesMotion motion = {};

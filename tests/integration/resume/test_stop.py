@@ -38,10 +38,14 @@ class Stop(ProgramTest):
         killed = []
         for k in range(20):
             process = self.start(COUPLER, "run", CASE / "coupled.yaml", "--out", self.folder / f"run_{k}", *LONG)
-            wait_until(lambda: children_of(process.pid) or process.poll() is not None)
-            servers = children_of(process.pid)
+            servers = []
+
+            def started():
+                servers.extend(children_of(process.pid))
+                return servers or process.poll() is not None
+            wait_until(started)
             process.kill()
-            self.assertTrue(servers)
+            self.assertTrue(servers, "the coupler ended by itself")
             killed.append((process, servers))
         for process, servers in killed:
             process.communicate()

@@ -109,14 +109,14 @@ class WornStep {
   }
 
  private:
-  // By the largest rate since the point went beyond its strength in slow tests: where it turns back, it is not
-  // weaker for that. The rate of the first step is not known: then, and only then, it is as if it were fast.
+  // By the largest rate since the point went beyond its strength in slow tests: where it turns back, it is
+  // not weaker for that. The rate of the first step is not known: then, and only then, it is as if it were
+  // fast.
   void raise(double jump_n, double jump_t, bool begun, WornFacet::End& end) const {
     if (set_.steps_per_second == 0) return;
     const double grown = std::hypot(jump_n - end.lost_n - end.normal / stiffness_,
                                     jump_t - end.lost_t - end.shear / stiffness_);
-    const double rate =
-        begun ? grown * set_.steps_per_second / (2 * set_.half_distance[k_]) : kFastRate;
+    const double rate = begun ? grown * set_.steps_per_second / (2 * set_.half_distance[k_]) : kFastRate;
     end.point.raised = std::max(end.point.raised, raised_by(law_, rate));
   }
 

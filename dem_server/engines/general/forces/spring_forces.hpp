@@ -35,8 +35,8 @@ class SpringForces {
   double released() const { return released_; }  // stored in those that broke, since the start [J]
   void start_over() { released_ = 0; }
   std::span<const Spring> springs() const { return springs_; }
-  std::span<const double> forces() const { return forces_; }         // [N]
-  std::span<const double> openings() const { return openings_; }     // without clearance [m]
+  std::span<const double> forces() const { return forces_; }      // [N]
+  std::span<const double> openings() const { return openings_; }  // without clearance [m]
   // The straight piece of its law on which the spring is: another number for each.
   std::size_t piece(std::size_t spring) const;
   std::span<const std::uint32_t> broken() const { return broken_; }  // in the order in which they broke

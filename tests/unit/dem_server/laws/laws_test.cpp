@@ -258,20 +258,28 @@ TEST(Kinematics, SlipInTheMiddleOfTheStepIsOfHigherOrder) {
   EXPECT_LT(error[0], 0.05 * error_at_end[0]);
 }
 
-// fib Model Code 2010, 5.1.11.2: 1.18 at 0.01 and 1.28 at 1 per second. Nothing is weaker than in slow tests, and
-// beyond 10 per second inertia is left to make it stronger.
+// fib Model Code 2010, 5.1.11.2: 1.18 at 0.01 and 1.28 at 1 per second. Nothing is weaker than in slow tests,
+// and beyond 10 per second inertia is left to make it stronger.
 TEST(FacetLaw, IsStrongerByTheRateOfStrain) {
-  const FacetLaw law{.tensile_strength = 3e6, .cohesion = 15e6, .friction = 0.3, .opening_energy = 100,
-                     .shearing_energy = 300, .rate_exponent = 0.018};
+  const FacetLaw law{.tensile_strength = 3e6,
+                     .cohesion = 15e6,
+                     .friction = 0.3,
+                     .opening_energy = 100,
+                     .shearing_energy = 300,
+                     .rate_exponent = 0.018};
   EXPECT_NEAR(raised_by(law, 0.01), 1.180, 1e-3);
   EXPECT_NEAR(raised_by(law, 1), 1.282, 1e-3);
   EXPECT_EQ(raised_by(law, 0), 1);
   EXPECT_EQ(raised_by(law, 1e3), raised_by(law, 10));
 }
 
-// A point that opens to the end bears as many times the strength, and takes as many times the fracture energy.
+// A point that opens to the end bears as many times the strength, and takes as many times the fracture
+// energy.
 TEST(FacetLaw, TakesMoreEnergyByAsMuchAsItIsStronger) {
-  const FacetLaw law{.tensile_strength = 3e6, .cohesion = 15e6, .friction = 0.3, .opening_energy = 100,
+  const FacetLaw law{.tensile_strength = 3e6,
+                     .cohesion = 15e6,
+                     .friction = 0.3,
+                     .opening_energy = 100,
                      .shearing_energy = 300};
   constexpr double kOpens = 1e-3, kSteps = 1e5, kRaised = 1.25, kSpring = 1e13;
   FacetPoint point{.raised = kRaised};
