@@ -15,14 +15,16 @@ MEANS = ("stress_xx", "stress_yy", "stress_xy")
 CIRCLE = 3  # cells in the radius of a mean
 
 
-def differences(run, zones, found, share, size=None):
+def differences(run, zones, found, share, size=None, histories=None):
     """(mapping of the differences, [number of cells of each place], [notes]) for the Places found, which wait until their demand reaches
-    `share`; `size` of the cells [m], which follows from zones and materials where it is None."""
+    `share`; `size` of the cells [m], which follows from zones and materials where it is None. `histories`: of the continuum, beside tunnels
+    of particles, where the places become regions; those of the run where it is None."""
     continuum, notes = run.scene["continuum"], []
+    alone, all_histories = histories is None, continuum.get("histories", []) if histories is None else histories
     materials = [continuum.get("material", run.scene.get("material")), *(area["material"] for area in continuum.get("materials", []))]
     numbers = run.fields()["grid"]["material"].astype(int)
     models, rings, counts = [], [], []
-    left = list(continuum.get("histories", []))
+    left = list(all_histories)
     for place in found:
         model, count = _particles(zones, place, size, numbers, materials)
         loads = continuum.get("body_loads", [])
@@ -31,17 +33,17 @@ def differences(run, zones, found, share, size=None):
         if not any("time" in load for load in loads):
             model["begin"] = {"demand": share}
         moved = [(history, _as_of_particles(history, zones, place, model["cells"]["size"], notes)) for history in left if _lies_in(history, zones, place)]
-        if histories := [other for _, other in moved if other]:
-            model["histories"] = histories
+        if going := [other for _, other in moved if other]:
+            model["histories"] = going
         left = [history for history in left if all(history is not other for other, _ in moved)]
         models.append(model)
         counts.append(count)
         around = next(loop for loop in loops(zones, place.core) if loop.outer)
         rings.append({"overlap": {"around": {"polygon": {"corners": _corners(around)}}, "width": float(f"{place.width:.6g}")}, "solve": "split"})
     told = {"time": {"dt": None}} if "dt" in run.scene["time"] else {}
-    if left != continuum.get("histories", []):
+    if left != all_histories:
         told["continuum"] = {"histories": left}
-    if len(models) == 1:
+    if len(models) == 1 and alone:
         return told | {"particles": models[0], "interface": rings[0]}, counts, notes
     names = [f"place_{number}" for number in range(1, len(models) + 1)]
     return told | {"regions": [{"name": name, "particles": model} for name, model in zip(names, models)],
@@ -52,13 +54,17 @@ def _particles(zones, place, size, numbers, materials):
     """(the model, how many cells it will have)."""
     here, count = np.unique(numbers[place.filled], return_counts=True)
     most = here[count.argmax()]
-    whole = size or _size(zones, place.filled & (numbers == most), materials[most])
+
+    def shorter(chosen):
+        return float(np.median(zones.shortest[chosen]))
+
+    whole = size or size_of(shorter(place.filled & (numbers == most)), materials[most])
     groups, finer, sizes = [], [], np.full(len(numbers), whole)
     for number in here[here != most]:
         for piece in zones.pieces(place.filled & (numbers == number)):
             area = _area(zones, piece)
             groups.append({"name": f"ground_{len(groups) + 1}", "where": area, "material": _of_cells(materials[number])})
-            own = size or _size(zones, piece, materials[number])
+            own = size or size_of(shorter(piece), materials[number])
             if own < ALIKE * whole:
                 sizes[piece] = own
                 finer.append({"where": area, "size": own})
@@ -69,14 +75,18 @@ def _particles(zones, place, size, numbers, materials):
     return model | ({"groups": groups} if groups else {}), float((zones.areas / sizes**2)[place.filled].sum() / CELL_AREA)
 
 
-def _size(zones, chosen, material):
-    """Of cells that are smaller than the zones, and soften stably as far as that many zones' sides allow [m]."""
-    largest, least = (float(np.median(zones.shortest[chosen])) / count for count in CELLS_IN_ZONE)
-    size = largest
-    if fracture := material.get("fracture"):
-        stiffness = material["young_modulus"] / (1 + material["poisson_ratio"])
-        size = min(size, 0.995 * SOFTENING * stiffness * fracture["fracture_energy"] / fracture["tensile_strength"] ** 2)
-    return float(f"{max(size, least):.3g}")
+def size_of(side, material):
+    """Of cells that are smaller than zones with this side, and soften stably as far as that many in it allow [m]."""
+    largest, least = (side / count for count in CELLS_IN_ZONE)
+    return float(f"{max(min(largest, softening_size(material)), least):.3g}")
+
+
+def softening_size(material):
+    """The largest size of cells that soften stably [m]; infinite where they do not break."""
+    if "fracture" not in material:
+        return np.inf
+    fracture, stiffness = material["fracture"], material["young_modulus"] / (1 + material["poisson_ratio"])
+    return 0.995 * SOFTENING * stiffness * fracture["fracture_energy"] / fracture["tensile_strength"] ** 2
 
 
 def _area(zones, chosen):
