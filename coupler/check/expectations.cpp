@@ -105,7 +105,7 @@ void print_time(const Model& model, const Schedule& schedule, const Pace& pace, 
   std::string text =
       fmt::format("{}: {} steps of {:.3g} ms{}, {} for set-up and results",
                   clock_time(steps + fields + pace.set_up), grouped(model.steps), 1e3 * pace.step,
-                  pace.waiting ? " while particles wait" : "", clock_time(fields + pace.set_up));
+                  pace.waiting ? " while particles wait, if they can" : "", clock_time(fields + pace.set_up));
   if (pace.relaxing > 0)
     text += fmt::format("; before that {} for every 1,000 steps of statics", clock_time(1e3 * pace.relaxing));
   print_line("time to expect", text);

@@ -60,10 +60,9 @@ Pace measure_pace(const Model& model, const Schedule& schedule, Stepper& stepper
       ++steps;
     });
     pace.waiting = stepper.regions().any_wait();
-    const std::vector<double> after = computed(model);
-    for (std::size_t s = 0; s < after.size(); ++s)
-      if (model.participants[s].member.role == Role::kContinuum)
-        pace.grids = std::max(pace.grids, (after[s] - before[s]) / static_cast<double>(steps));
+    pace.computed = computed(model);
+    for (std::size_t s = 0; s < before.size(); ++s)
+      pace.computed[s] = (pace.computed[s] - before[s]) / static_cast<double>(steps);
   } catch (const protocol::Unstable& error) {
     pace.unstable = error.what();
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "coupler/output/schedule.hpp"
 #include "coupler/stepping/stepper.hpp"
@@ -10,11 +11,11 @@
 namespace adit::coupler {
 
 struct Pace {
-  double set_up = 0;     // [s]
-  double step = 0;       // of time [s]
-  double grids = 0;      // what the slowest continuum computes in it [s]
-  double relaxing = 0;   // step of statics [s]; 0: the scene has none
-  bool waiting = false;  // particles wait in these steps (stepping/condensed_regions.hpp)
+  double set_up = 0;                  // [s]
+  double step = 0;                    // of time [s]
+  std::vector<double> computed = {};  // by each participant in it [s]
+  double relaxing = 0;                // step of statics [s]; 0: the scene has none
+  bool waiting = false;               // particles wait in these steps (stepping/condensed_regions.hpp)
   std::string unstable;  // why the first steps failed; then the model cannot be asked for anything more
 
   bool stable() const { return unstable.empty(); }

@@ -26,12 +26,21 @@ std::size_t masters_of(const Model& model, const Interface& interface) {
   return masters.size();
 }
 
-// Whether its cells could wait, as far as the scene says: they break, and one continuum moves them.
+bool changes(const auto& loads) {
+  return std::ranges::any_of(loads, [](const auto& load) { return load.has_time(); });
+}
+
+// Whether its cells wait, or could as far as the scene says: they break, and nothing but the continuum moves
+// them.
 bool might_wait(const Model& model, std::size_t s) {
   const Participant& participant = model.participants[s];
   if (participant.member.role != Role::kParticles || participant.counts.breakable_bonds() == 0) return false;
   const scene::Particles& particles = particles_of(model.scene, participant.member);
-  return particles.has_cells() && !particles.has_begin();
+  const bool moved = particles.walls_size() + particles.motions_size() + particles.bars_size() +
+                         particles.quiet_size() + particles.foundations_size() >
+                     0;
+  return particles.has_cells() && !moved && !changes(particles.loads()) && !changes(particles.body_loads()) &&
+         std::ranges::count(model.interfaces, s, &Interface::fine) == 1;
 }
 
 // Steps at which the particles are told how the grid has moved.
@@ -40,18 +49,22 @@ double looks(const Model& model, const Schedule& schedule) {
       std::max(schedule.row_count() + schedule.peak_count(), model.steps / kLookInterval));
 }
 
+// Servers compute side by side, of which the slowest counts, and the coupler moves what waits after them.
 void print_waiting(const Model& model, const Schedule& schedule, const Pace& pace) {
-  double step = pace.grids, looking = 0;  // [s]; all together
+  double slowest = 0, moving = 0, looking = 0;  // [s]
   std::string names;
   for (std::size_t s = 0; s < model.participants.size(); ++s) {
-    if (!might_wait(model, s)) continue;
-    const auto joining = std::ranges::find(model.interfaces, s, &Interface::fine);
-    if (joining == model.interfaces.end()) continue;
-    step += seconds_to_move(masters_of(model, *joining));
-    looking += kLook * static_cast<double>(model.participants[s].counts.particles()) * looks(model, schedule);
-    names += (names.empty() ? "" : ", ") + model.participants[s].member.path;
+    const Participant& participant = model.participants[s];
+    if (!might_wait(model, s)) {
+      slowest = std::max(slowest, pace.computed[s]);
+      continue;
+    }
+    moving += seconds_to_move(masters_of(model, *std::ranges::find(model.interfaces, s, &Interface::fine)));
+    looking += kLook * static_cast<double>(participant.counts.particles()) * looks(model, schedule);
+    if (!particles_of(model.scene, participant.member).has_begin())
+      names += (names.empty() ? "" : ", ") + participant.member.path;
   }
-  const double steps = static_cast<double>(model.steps), waiting = step * steps + looking;
+  const double steps = static_cast<double>(model.steps), waiting = (slowest + moving) * steps + looking;
   if (names.empty() || waiting > kWorthwhile * pace.step * steps) return;
   print_line("shorter", fmt::format("{} while nothing in {} uses 0.8 of its strength, by `begin: {{demand: "
                                     "0.8}}`, where that can wait",

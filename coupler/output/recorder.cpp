@@ -99,6 +99,12 @@ void BrokenBonds::exchange(state::Archive& archive) {
 }
 
 void Recorder::record_events() {
+  struct Broken {
+    double time;
+    const wire::Crack* crack;
+    const Participant* of;
+  };
+  std::vector<Broken> broken;  // of all participants, whose steps may differ
   for (Participant& participant : model_.participants) {
     // Particles number their own steps, of which there are `substeps` in one step of the run.
     const double dt = participant.member.role == Role::kParticles ? model_.dt / model_.substeps : model_.dt;
@@ -109,10 +115,12 @@ void Recorder::record_events() {
                         participant.strongest.y()};
     }
     for (const wire::Crack& crack : participant.cracks)
-      record_broken_bond(crack, time_of(crack.step()), participant);
-    participant.cracks.clear();
+      broken.push_back({time_of(crack.step()), &crack, &participant});
     participant.strongest.Clear();
   }
+  std::ranges::stable_sort(broken, {}, &Broken::time);
+  for (const Broken& bond : broken) record_broken_bond(*bond.crack, bond.time, *bond.of);
+  for (Participant& participant : model_.participants) participant.cracks.clear();
 }
 
 // Those of statics before the stage from which cracks count are only counted.

@@ -15,6 +15,7 @@ namespace {
 
 // A figure that a run does not have is null in its summary, so that every summary has the same names.
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLargeChange = 0.01;  // of the energy, where particles that waited begin
 
 // Left by statics, above which a user is warned: velocity [m/s], a thousandth of that of a moderate
 // earthquake; acceleration [m/s^2], a twentieth of it; and the largest unbalanced force of a point as a share
@@ -203,7 +204,7 @@ void RunSummary::add_waiting(const Stepper& stepper) {
     }
     const double time = static_cast<double>(beginning->step) * model_.dt;
     summary_.set(region + "_began_s", time);
-    summary_.set(region + "_began_demand", beginning->demand);
+    if (beginning->reason.empty()) summary_.set(region + "_began_demand", beginning->demand);
     if (!beginning->reason.empty()) {
       summary_.set(region + "_began_because", beginning->reason);
       lines_.push_back(fmt::format("{:<18} could not wait: {}", region, beginning->reason));
@@ -214,6 +215,11 @@ void RunSummary::add_waiting(const Stepper& stepper) {
         fmt::format("{:<18} began at {:.4g} s, with a demand of {:.2g}", region, time, beginning->demand));
   }
   if (!any_began) return;
+  if (const double change = std::abs(stepper.ledger().change()); change > kLargeChange)
+    warn(fmt::format(
+        "the energy changed by {:.1g} of its peak where particles began: they should not have waited "
+        "any longer; give a smaller demand in `begin`, or leave it out",
+        change));
   summary_.set("particles_began_energy_change", stepper.ledger().change());
   lines_.push_back(fmt::format("{:<18} the energy changed by {:.1e} where particles began", "",
                                stepper.ledger().change()));

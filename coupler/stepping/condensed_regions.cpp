@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -156,7 +157,7 @@ std::string CondensedRegions::why_not_moved(const Region& region) const {
     if (segment.global == region.begin) continue;
     for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row)
       if (std::ranges::any_of(grid.interpolation->columns(row), moves_it))
-        return fmt::format("the same zone moves it and `{}`", other_side(region.grid, segment));
+        return fmt::format("the same grid points move it and `{}`", other_side(region.grid, segment));
   }
   return {};
 }
@@ -252,7 +253,7 @@ void CondensedRegions::look(std::uint64_t n, Wanted wanted) {
   if (!any_wait()) return;
   const bool near =
       std::ranges::any_of(regions_, [](const Region& region) { return region.waits && may_be_near(region); });
-  const bool due = n % kLookInterval == 0;
+  const bool due = n % kLookInterval == 0 || (n < kLookInterval && std::has_single_bit(n));
   reached_ = n;
   told_ = false;
   if (due || near || wanted.histories || wanted.peaks) follow(wanted);

@@ -141,11 +141,13 @@ ParticlesMotion Substructure::recover(const MastersMotion& masters, double dt) c
     of_masters.col(k) = Eigen::Map<const Eigen::VectorXd>(columns[k].data(), size);
   Columns motion = follow(of_masters);
   const Columns acceleration = (motion.col(2) - motion.col(1)) / dt;
-  motion.col(0) -= inside(masses_.asDiagonal() * acceleration);
+  const Eigen::VectorXd inertia = masses_.asDiagonal() * acceleration, lag = inside(inertia);
+  motion.col(0) -= lag;
   const auto values = [&motion](Eigen::Index k) {
     return std::vector<double>(motion.col(k).begin(), motion.col(k).end());
   };
-  return {values(0), values(1), values(2)};
+  return {values(0), values(1), values(2), 0.5 * inertia.dot(lag),
+          0.5 * motion.col(2).dot(masses_.asDiagonal() * motion.col(2))};
 }
 
 }  // namespace adit::dem

@@ -39,9 +39,12 @@ struct MastersMotion {
   std::span<const double> displacements, velocities_before, velocities;  // of half a step before and later
 };
 
-// The same of all particles, as in kFreedoms.
+// The same of all particles, as in kFreedoms; and energies of what T alone does not tell [J]: that of the
+// lag, and the kinetic one. Their ratio is about (f / f_1)^2, f being the frequency of the motion and f_1 the
+// lowest one of the particles between held points.
 struct ParticlesMotion {
   std::vector<double> displacements, velocities_before, velocities;
+  double lag_energy = 0, kinetic_energy = 0;
 };
 
 class Substructure {

@@ -102,6 +102,7 @@ class Engine {
   virtual void go_on() {}
   // The largest share of its strength that anything uses, 1 where it breaks, slides or opens.
   virtual double demand() const { return 0; }
+  virtual std::vector<std::string> warnings() const { return {}; }  // for the end of the run
 
   // What changes from step to step (protocol/state/archive.hpp), of an engine that has reached the same
   // stage.

@@ -75,11 +75,11 @@ inline double shear_limit(const FacetLaw& law, double chi, double pressure, doub
          pressure * (law.residual_friction + (law.friction - law.residual_friction) * chi);
 }
 
-// The share of its strength that the traction of a point uses which has not been beyond it; 1 where it
-// breaks.
-inline double facet_demand(const FacetLaw& law, const FacetTraction& t, double raised = 1) {
-  return t.normal > 0 ? std::hypot(t.normal, t.shear) / (raised * law.tensile_strength)
-                      : std::abs(t.shear) / shear_limit(law, 1, -t.normal, raised);
+// The share of its strength in slow tests that the traction of a point uses which has not been beyond it; 1
+// where it breaks.
+inline double facet_demand(const FacetLaw& law, const FacetTraction& t) {
+  return t.normal > 0 ? std::hypot(t.normal, t.shear) / law.tensile_strength
+                      : std::abs(t.shear) / shear_limit(law, 1, -t.normal);
 }
 
 inline FacetTraction open_traction(const FacetLaw& law, double k, double jump_n, double jump_t,

@@ -228,6 +228,7 @@ void DemParticipant::finish(wire::Bye& bye) {
   bye.set_updates(engine_->counts().particles * moves_);
   bye.set_fragments(engine_->fragments());
   for (const CrackPath& path : engine_->crack_paths()) report(path, *bye.add_crack_paths());
+  for (const std::string& warning : engine_->warnings()) bye.add_warnings(warning);
   for (const auto& [name, value] : engine_->figures()) {
     wire::Figure& figure = *bye.add_figures();
     figure.set_name(name);

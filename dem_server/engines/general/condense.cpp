@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "dem_server/condensation/tangent.hpp"
@@ -15,6 +16,9 @@ namespace {
 
 constexpr std::uint64_t kMostParts = 1024;  // of a state
 constexpr double kLinear = 1e-3;            // of the forces, by which both signs of a motion may differ
+constexpr double kMissed = 0.2;             // of a strength, by stresses that are not seen
+constexpr double kMissedMotion = 0.15;      // of the energy; of motions from this share of a strength on:
+constexpr double kMotion = 0.1;
 
 // Of faces that only touch: of the friction, 1 where they are open.
 double share_of_friction(double normal, double shear, double friction) {
@@ -32,7 +36,37 @@ double share_of_friction(const WornFacet& touching, const FacetLaw& law) {
 }  // namespace
 
 double GeneralEngine::demand() const {
-  return std::min(most_used().share, 1.0);
+  return waiting_ && misses_motion() ? 1 : std::min(most_used().share, 1.0);
+}
+
+// The particles' own oscillations, which they leave out while they wait, grow with the square of the
+// frequency: in a region that is tied all round they are a sixth of this share of the motion, and all of it
+// in one that is tied on one side. Of motion that is quicker than they are, stresses grow with the frequency.
+bool GeneralEngine::misses_motion() const {
+  if (!(waiting_->largest_kinetic > 0)) return false;
+  const double missed = waiting_->largest_lag / waiting_->largest_kinetic,
+               used = waiting_->fastest / waiting_->breaking_speed;
+  return std::min(missed, std::sqrt(missed)) * used > kMissed || (missed > kMissedMotion && used > kMotion);
+}
+
+// v = f_t / sqrt(E' rho): the stress of a plane wave is sqrt(E' rho) v.
+double GeneralEngine::breaking_speed() const {
+  const FacetSet& set = solver_.facets().set();
+  double mass = 0, area = 0, slowest = std::numeric_limits<double>::infinity();
+  for (const double one : particles().mass) mass += one;
+  for (std::size_t k = 0; k < set.size(); ++k) area += set.weight[k] * set.length[k] * set.half_distance[k];
+  for (std::size_t k = 0; k < set.size(); ++k)
+    if (const FacetLaw& law = set.laws[set.law[k]]; law.breaks())
+      slowest = std::min(slowest, law.tensile_strength /
+                                      std::sqrt(2 * set.half_distance[k] * set.stiffness[k] * mass / area));
+  return slowest;
+}
+
+std::vector<std::string> GeneralEngine::warnings() const {
+  if (!waves_too_short_) return {};
+  return {
+      "they waited no longer, because the waves are short beside the region, or it is tied on one side only: "
+      "what oscillates in it by itself was missing until then; leave out `begin` where that matters"};
 }
 
 // What softened in statics is on its way to crack: it counts by how far it has come. A spring counts whole
@@ -88,6 +122,7 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
   waiting_->softened.clear();
   for (const std::uint32_t k : solver_.facets().joining())
     if (solver_.facets().set().worn_facet(k)) waiting_->softened.push_back(k);
+  waiting_->breaking_speed = breaking_speed();
   waiting_->spring_pieces.clear();
   for (std::size_t k = 0; k < solver_.springs().springs().size(); ++k)
     waiting_->spring_pieces.push_back(solver_.springs().piece(k));
@@ -145,6 +180,12 @@ std::variant<Condensed, std::string> GeneralEngine::condense(const protocol::Spa
 
 void GeneralEngine::follow(const MastersMotion& masters, double dt) {
   waiting_->motion = waiting_->substructure->recover(masters, dt);
+  const ParticlesMotion& motion = waiting_->motion;
+  waiting_->largest_lag = std::max(waiting_->largest_lag, motion.lag_energy);
+  waiting_->largest_kinetic = std::max(waiting_->largest_kinetic, motion.kinetic_energy);
+  for (std::size_t i = 0; i < motion.velocities.size(); i += kFreedoms)
+    waiting_->fastest =
+        std::max(waiting_->fastest, std::hypot(motion.velocities[i], motion.velocities[i + 1]));
   set_velocities(waiting_->motion.velocities_before);
 }
 
@@ -157,6 +198,7 @@ void GeneralEngine::arrive(const protocol::Step& step) {
 }
 
 void GeneralEngine::go_on() {
+  waves_too_short_ = waiting_ && misses_motion();
   waiting_.reset();
 }
 
@@ -197,6 +239,7 @@ void GeneralEngine::set_velocities(std::span<const double> velocities) {
 void GeneralEngine::exchange_waiting(state::Archive& archive) {
   bool waits = waiting_.has_value();
   archive("waits", waits);
+  archive("waves_too_short", waves_too_short_);
   if (!waits) return waiting_.reset();
   if (archive.reads()) waiting_ = Waiting{};
   std::uint64_t parts = waiting_->rest.size();
@@ -204,6 +247,9 @@ void GeneralEngine::exchange_waiting(state::Archive& archive) {
   state::require_of_model(parts <= kMostParts, "rest_parts");
   waiting_->rest.resize(parts);
   for (std::string& part : waiting_->rest) archive("rest", part);
+  archive("largest_lag", waiting_->largest_lag);
+  archive("largest_kinetic", waiting_->largest_kinetic);
+  archive("fastest", waiting_->fastest);
 }
 
 }  // namespace adit::dem

@@ -64,6 +64,7 @@ class GeneralEngine final : public LocalEngine {
   void arrive(const protocol::Step& step) override;
   void go_on() override;
   double demand() const override;
+  std::vector<std::string> warnings() const override;
   void exchange(state::Archive& archive) override;
 
  private:
@@ -88,6 +89,9 @@ class GeneralEngine final : public LocalEngine {
     double x = 0, y = 0;
   };
   Used most_used() const;
+  double breaking_speed() const;
+  // Whether what the condensed particles miss of the motion matters.
+  bool misses_motion() const;
   std::vector<double> forces() const;
   void set_velocities(std::span<const double> velocities);
 
@@ -111,10 +115,13 @@ class GeneralEngine final : public LocalEngine {
     state::Parts rest;
     std::vector<std::uint32_t> softened = {};     // facets that were beyond their strength there, ascending
     std::vector<std::size_t> spring_pieces = {};  // of the laws of all springs there
+    double breaking_speed = 0;  // by which a wave strains the weakest facet to its strength [m/s]
+    double largest_lag = 0, largest_kinetic = 0, fastest = 0;  // of all looks [J], [m/s]
     std::optional<Substructure> substructure = {};
     ParticlesMotion motion = {};
   };
   std::optional<Waiting> waiting_;
+  bool waves_too_short_ = false;  // for the particles to wait any longer
 };
 
 }  // namespace adit::dem

@@ -27,15 +27,10 @@ ObservedPair forces_of(std::uint32_t pair, const Solver& solver, const Pairs& pa
 std::optional<double> demand_of(std::uint32_t facet, const FacetState& state, const FacetSet& set) {
   const FacetLaw& law = set.laws[set.law[facet]];
   if (!law.breaks()) return std::nullopt;
-  double raised = 1;
-  if (const WornFacet* worn = set.worn_facet(facet)) {
-    if (worn->ends[0].point.wear > 0 || worn->ends[1].point.wear > 0) return 1;
-    raised = std::min(worn->ends[0].point.raised, worn->ends[1].point.raised);
-  }
+  if (set.worn_facet(facet) != nullptr) return 1;
   const double length = set.length[facet], normal = state.normal / length, shear = state.shear / length;
   const double bending = state.moment / (kFacetPoint * length * length);
-  return std::min(1.0, std::max(facet_demand(law, {normal + bending, shear}, raised),
-                                facet_demand(law, {normal - bending, shear}, raised)));
+  return std::max(facet_demand(law, {normal + bending, shear}), facet_demand(law, {normal - bending, shear}));
 }
 
 ObservedPair forces_of(std::uint32_t facet, const Solver& solver) {

@@ -17,7 +17,8 @@ def softens(part):
 @dataclass
 class Choices:
     """`runs`: computes models; `refining`, `choices`: the dimensions of the scene; `coarsest`: its first model; `localizes`: whether its
-    ground softens. After `compute()`, `found` = [(question, choice, level, relative change)]."""
+    ground softens. After `compute()`, `found` = [(question, choice, level, relative change)], `failed` = [(choice, why)],
+    and `left` = [choice] that the budget left out."""
     runs: object
     refining: list
     choices: list
@@ -26,6 +27,8 @@ class Choices:
     localizes: bool = False
     begun: bool = False
     found: list = field(default_factory=list)
+    failed: list = field(default_factory=list)
+    left: list = field(default_factory=list)
 
     def begin(self, budget):
         """Begins all of them beside the search, where they are a small part of a budget [s]."""
@@ -37,9 +40,11 @@ class Choices:
         """Changes each choice that is begun, or costs no more than is left of a budget [s]."""
         for choice, level in self._changes():
             if not self.begun and 2 * self.coarsest.seconds > budget:
+                self.left.append(choice)
                 continue
             changed = self.runs.compute([*self.refining, choice], self.coarsest.levels | {choice.name: level})
             if changed is None:
+                self.failed.append((choice, self.runs.failure))
                 continue
             budget -= changed.seconds
             for question, value in changed.values.items():
@@ -68,3 +73,7 @@ class Choices:
             yield "ground that softens fails in one row of zones: where it fails, results depend on the length of zones, and no refinement removes that"
         for question, choice, level, change in self.found:
             yield f"{question} depends on the {choice.name}: {choice.words(level)} changes it by {100 * change:+.2g} % in the coarsest model, and no refinement removes that"
+        for choice, why in self.failed:
+            yield f"the {choice.name} could not be changed: {why}"
+        if self.left:
+            yield f"the budget does not suffice to change the {', the '.join(choice.name for choice in self.left)}"

@@ -1,8 +1,8 @@
 """What of a scene can be made finer or coarser by itself.
 
 A level of 0 is the scene as stated; each level more makes a dimension finer by two, each level less coarser by two. `refining` are
-those that a search refines, because the results approach a limit with them; the step follows both: it is a share of the critical
-one (`time.dt_factor`). The others are choices between models: finer zones and particles do not remove what they change.
+those that a search refines, because the results approach a limit with them; a step that is a share of the critical one
+(`time.dt_factor`) follows both. The others are choices between models: finer zones and particles do not remove what they change.
 """
 import math
 from dataclasses import dataclass, field

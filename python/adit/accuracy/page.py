@@ -5,11 +5,25 @@ from adit.accuracy.dimensions import name_of
 from adit.trade.table import lines
 
 
+COUNTS = ("none", "one", "two", "three", "four", "five")
+
+
 def csv_rows(search):
-    """A row a model; that of the finest has the middle and half of each interval, too."""
-    told = {f"{key}_{what}": value(key) for key in search.best.values for what, value in (("told", search.value), ("interval", search.interval))}
-    return [{"run": name_of(run.levels), "seconds": run.seconds, **run.values, **(told if run is search.best else dict.fromkeys(told, ""))}
-            for run in search.runs]
+    """A row a model, with the range of what was computed several times; that of the finest has what is told, too: the middle and half of
+    each interval, or the median alone of what scatters by more than is asked."""
+    ranging = [key for key in search.best.values if any(run.ranges for run in search.runs)]
+    told = {f"{key}_{what}": value for key in search.best.values for what, value in zip(("told", "interval"), _told(search, key))}
+    return [{"run": name_of(run.levels), "seconds": run.seconds, **run.values,
+             **{f"{key}_{what}": value for key in ranging
+                for what, value in zip(("from", "to"), run.ranges[key] if run.ranges else ("", ""))},
+             **(told if run is search.best else dict.fromkeys(told, ""))} for run in search.runs]
+
+
+def _told(search, question):
+    """(value, half of its interval, which is empty where it scatters by more than is asked)."""
+    if search.scatters(question):
+        return search.best.values[question], ""
+    return search.value(question), search.interval(question)
 
 
 def markdown(search):
@@ -18,21 +32,24 @@ def markdown(search):
                      ([name_of(run.levels), f"{run.seconds:.3g}", *(f"{run.values[question]:.5g}" for question in questions)] for run in search.runs))
     yield ""
     yield from lines(["result", "value", "± [%]", "of which lengths [%]", "order", "rest [%]", "scatter [%]"],
-                     ([question, f"{value:.5g}", _percent(search.interval(question), value), *_parts(search, question, value)]
-                      for question in questions for value in [search.value(question)]))
+                     ([question, *_row(search, question)] for question in questions))
 
 
 def _percent(size, value):
     if math.isinf(size):
         return "not known"
-    return f"{100 * size / abs(value):.2g}" if value else "–"
+    return f"{float(f'{100 * size / abs(value):.2g}'):g}" if value else "–"
 
 
-def _parts(search, question, value):
+def _row(search, question):
+    value, half = _told(search, question)
+    scatter = _percent(search.best.spread(question), value)
+    if search.scatters(question):
+        return f"{value:.5g}", f"it scatters, {_range(search.best, question)}", "–", "–", "–", scatter
     lengths, rest = search.refinement(question), search.unrest(question)
     order = "none" if lengths.order is None else f"{lengths.order:.2g}"
-    return [_percent(lengths.size, value), order, _percent(rest.size, value) if rest else "–",
-            _percent(search.best.spread(question), value)]
+    of_rest = _percent(min(rest.size, half), value) if rest else "–"
+    return f"{value:.5g}", _percent(half, value), _percent(min(lengths.size, half), value), order, of_rest, scatter
 
 
 def verdict(search, reached, scatter, choices):
@@ -42,7 +59,7 @@ def verdict(search, reached, scatter, choices):
         yield f"{question} = {told(search, question, scatter)}{choices.beside(question)}"
     spent, named = sum(run.seconds for run in search.runs), choices.named()
     apart = f", apart from what depends on a choice ({', '.join(named)})" if reached and named else ""
-    yield f"accuracy asked for {_outcome(search, reached)}{apart}: {len(search.runs)} models, {spent:.3g} s"
+    yield f"accuracy asked for {_outcome(search, reached)}{apart}: {len(search.runs)} model{'s' * (len(search.runs) > 1)}, {spent:.3g} s"
     if reached or search.unfinished():
         yield f"a further halving would take about {search.next_seconds():.3g} s"
     if reached and all(level <= 0 for level in search.best.levels.values()):
@@ -50,18 +67,24 @@ def verdict(search, reached, scatter, choices):
 
 
 def _interval(search, question, scatter):
-    if len(search.models) == 1:
-        return f"{search.value(question):.5g}, whose error one model does not tell"
-    told = f"{search.value(question):.5g} ± {_percent(search.interval(question), search.value(question))} %"
+    value, half = _told(search, question)
+    told = f"{value:.5g}, whose error one model does not tell" if math.isinf(half) else f"{value:.5g} ± {_percent(half, value)} %"
     if search.best.spread(question):
-        told += f", the median of five {scatter.what} ({_range(search.best, question)})"
+        told += f", {_median(search.best, scatter)} ({_range(search.best, question)})"
+    if search.best.runs == 1 < search.best.tried:
+        told += f", of one alone of {COUNTS[search.best.tried]} {scatter.what}, so that it is not known how it scatters"
     return told
 
 
 def _scatter(search, question, scatter):
     before = search.models[-2] if len(search.models) > 1 else None
     coarser = f"; before the last halving {before.values[question]:.5g}, {_range(before, question)}" if before and before.ranges else ""
-    return f"{search.best.values[question]:.5g}, {_range(search.best, question)}: it scatters, and this is the median of five {scatter.what}{coarser}"
+    told = f"{search.best.values[question]:.5g}, {_range(search.best, question)}"
+    return f"{told}: it scatters, and this is {_median(search.best, scatter)}{coarser}"
+
+
+def _median(computed, scatter):
+    return f"the median of {COUNTS[computed.runs]} {scatter.what}"
 
 
 def _range(computed, question):

@@ -7,6 +7,7 @@ the answers. A result that scatters by more than is asked is left alone.
 
 Where statics bring the model to rest, the coarsest model is also computed nearer to it: no answer is told more accurately than that.
 """
+import math
 from dataclasses import dataclass, field
 from statistics import median
 
@@ -83,13 +84,22 @@ class Search:
         return Error(error_of([self.nearer.values[question] - coarsest]).size * abs(self.best.values[question] / coarsest))
 
     def value(self, question):
-        """The middle of the interval: that of the finest model, and what the changes before it add."""
-        return self.best.values[question] + self.refinement(question).shift
+        """The middle of the interval of a result."""
+        return self._middle_and_half(question)[0]
 
     def interval(self, question):
-        """Half of the interval of a result, by all of its errors and its scatter."""
-        unrest = self.unrest(question)
-        return self.refinement(question).size + (unrest.size if unrest else 0.0) + self.best.spread(question)
+        """Half of the interval of a result."""
+        return self._middle_and_half(question)[1]
+
+    def _middle_and_half(self, question):
+        """Of the finest model, and what the changes before it add; by all errors and the scatter. The interval of what cannot be negative
+        ends at 0."""
+        error, unrest = self.refinement(question), self.unrest(question)
+        middle = self.best.values[question] + error.shift
+        half = error.size + (unrest.size if unrest else 0.0) + self.best.spread(question)
+        if question not in self.best.sizes or half <= middle or math.isinf(half):
+            return middle, half
+        return (middle + half) / 2, (middle + half) / 2
 
     def lacking(self, question):
         """Whether a result is not as accurate as is asked."""

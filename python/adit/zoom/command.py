@@ -22,7 +22,7 @@ from adit.zoom.tunnels import reaches
 
 SHARE = 0.8  # of the strength
 STRUCTURES = ("linings", "members", "bolts", "interfaces")
-AT_EDGES = "they lie where the grid is held, loaded or absorbs waves, or within four zones of it"
+AT_EDGES = "the grid is held, loaded or absorbs waves there, or within four zones"
 IN_STAGES = "the scene has stages, in which only tunnels become particles"
 
 
@@ -150,6 +150,8 @@ def worst_of(zones, demand, grid):
 def staying_zones(zones, demand, staying, because):
     """A note on the zones near their strength that do not become particles."""
     x, y = zones.centres[np.where(staying, demand, 0).argmax()]
+    if staying.sum() == 1:
+        return f"a zone near its strength, at ({x:.4g}, {y:.4g}) m, stays a zone: {because}"
     return f"{staying.sum()} zones near their strength, the worst at ({x:.4g}, {y:.4g}) m, stay zones: {because}"
 
 

@@ -13,6 +13,7 @@ KEPT = ("young_modulus", "poisson_ratio", "density", "fracture")  # of a materia
 MOTIONS = ("displacement_x", "displacement_y", "velocity_x", "velocity_y", "acceleration_x", "acceleration_y")
 MEANS = ("stress_xx", "stress_yy", "stress_xy")
 CIRCLE = 3  # cells in the radius of a mean
+MOST = 1.0  # demand at which particles may begin: what waits is elastic
 
 
 def differences(run, zones, found, share, size=None, histories=None):
@@ -31,7 +32,7 @@ def differences(run, zones, found, share, size=None, histories=None):
         if loads:
             model["body_loads"] = loads
         if not any("time" in load for load in loads):
-            model["begin"] = {"demand": share}
+            model["begin"] = begin(share)
         moved = [(history, _as_of_particles(history, zones, place, model["cells"]["size"], notes)) for history in left if _lies_in(history, zones, place)]
         if going := [other for _, other in moved if other]:
             model["histories"] = going
@@ -50,6 +51,11 @@ def differences(run, zones, found, share, size=None, histories=None):
                    "interfaces": [ring | {"inner": name} for name, ring in zip(names, rings)]}, counts, notes
 
 
+def begin(share):
+    """When particles begin that are needed where the demand reached `share`: before anything breaks."""
+    return {"demand": min(share, MOST)}
+
+
 def _particles(zones, place, size, numbers, materials):
     """(the model, how many cells it will have)."""
     here, count = np.unique(numbers[place.filled], return_counts=True)
@@ -58,6 +64,7 @@ def _particles(zones, place, size, numbers, materials):
     def shorter(chosen):
         return float(np.median(zones.shortest[chosen]))
 
+    require_fine(size, shorter(place.filled), zones.centres[place.core].mean(axis=0))
     whole = size or size_of(shorter(place.filled & (numbers == most)), materials[most])
     groups, finer, sizes = [], [], np.full(len(numbers), whole)
     for number in here[here != most]:
@@ -73,6 +80,13 @@ def _particles(zones, place, size, numbers, materials):
     packing = {"x_min": _told(x_min), "x_max": _told(x_max), "y_min": _told(y_min), "y_max": _told(y_max), "size": whole}
     model = {"cells": packing | ({"finer": finer} if finer else {}), "within": _area(zones, place.filled), "material": _of_cells(materials[most])}
     return model | ({"groups": groups} if groups else {}), float((zones.areas / sizes**2)[place.filled].sum() / CELL_AREA)
+
+
+def require_fine(size, side, place):
+    """Unusable where cells of a size that is given, if one is, would be larger than the zones that they replace."""
+    if size and size > (1 + 1e-6) * side:
+        raise Unusable(f"--size {size:g} is above {side:.3g} m, the shorter side of the zones around ({place[0]:.4g}, {place[1]:.4g}) m "
+                       "that become particles; give less.")
 
 
 def size_of(side, material):

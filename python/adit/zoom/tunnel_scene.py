@@ -6,7 +6,7 @@ import numpy as np
 from adit.results.files import Unusable
 from adit.zoom.linings import material_of
 from adit.zoom.places import ACROSS
-from adit.zoom.scene import CELL_AREA, KEPT, size_of, softening_size
+from adit.zoom.scene import CELL_AREA, KEPT, begin, require_fine, size_of, softening_size
 
 CELLS_IN_LINING = 4  # over its thickness, where no size is given
 GROWTH = 0.25  # of the size of cells, by the distance from the lining
@@ -29,7 +29,7 @@ def as_particles(run, zones, reach, breaks, share, size=None):
     if of_ground > of_lining:
         stated["particles"]["ground_size"] = of_ground
     if "section" not in tunnel.lining and not any("time" in load for load in run.scene["continuum"].get("body_loads", [])):
-        stated["particles"]["begin"] = {"demand": share}  # bars do not wait
+        stated["particles"]["begin"] = begin(share)  # bars do not wait
     return stated, _count(reach, of_lining, of_ground)
 
 
@@ -43,6 +43,7 @@ def _sizes(run, zones, reach, material, size):
     if size and size >= (1 - 1e-6) * reach.tunnel.thickness / 2:
         raise Unusable(f"--size {size:g} is not below half of the thickness of the lining of tunnel `{reach.tunnel.name}`, "
                        f"{reach.tunnel.thickness:g} m; give less.")
+    require_fine(size, float(np.median(zones.shortest[around])), reach.tunnel.contour.centre)
     of_lining = size or min(reach.tunnel.thickness / CELLS_IN_LINING, softening_size(material), of_ground)
     return float(f"{of_lining:.3g}"), of_ground
 

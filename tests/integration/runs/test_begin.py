@@ -40,6 +40,19 @@ def scene(wave=WAVE, demand=0.8, substeps=1, size=CELL, **particles):
         "output": {"history_interval": 1e-3, "peaks": {"highest_frequency": 50}}}
 
 
+def spalling_bar(begin):
+    """The end of a bar of concrete, tied on one side, that a pulse shorter than it is long tears where it meets its reflection."""
+    return {
+        "material": {"young_modulus": 30e9, "poisson_ratio": 0.2, "density": 2500.0,
+                     "fracture": {"tensile_strength": 3e6, "fracture_energy": 100.0, "compressive_strength": 40e6}},
+        "time": {"duration": 3e-3, "substeps": 4},
+        "continuum": {"block": {"x_min": 0, "x_max": 6, "y_min": 0, "y_max": 1, "zones_x": 60, "zones_y": 10},
+                      "edge_loads": [{"where": {"x_max": 0}, "force": {"x": 5e6}, "time": {"sine": {"frequency": 2000, "end": 2.5e-4}}}]},
+        "particles": {"cells": {"x_min": 3, "x_max": 6, "y_min": 0, "y_max": 1, "size": 0.1}, **({"begin": {"demand": 0.8}} if begin else {})},
+        "interface": {"overlap": {"particles_begin": {"x": 3, "y": 0}, "continuum_ends": {"x": 3.5, "y": 0}}, "solve": "split"},
+        "output": {"history_interval": 3e-4}}
+
+
 def two_regions(strength=(1.0, 2.0), waits=(True, True), **changes):
     """The same ground, wider, with two such regions: `west` and `east`, of so many times the strength."""
     whole = scene(**changes)
@@ -134,6 +147,22 @@ class Begin(ComputedTest):
         began = Run(self.run_scene(self.scene(json.dumps(given)), out="two_rows"))
         self.assertLess(began.summary["particles_began_s"], began.summary["first_crack_time_s"])
         self.assertLess(began.summary["particles_began_demand"], 0.95)
+
+    def test_what_waves_shorter_than_the_region_break_breaks(self):
+        """What waits does not oscillate by itself: it begins where that matters, and says so."""
+        began, computed = (Run(self.run_scene(self.scene(json.dumps(spalling_bar(begin))), out=f"bar_{begin}")) for begin in (True, False))
+        self.assertEqual(began.summary["particles_began_demand"], 1)
+        self.assertTrue(any("the waves are short beside the region" in warning for warning in began.summary["warnings"]))
+        self.assertAlmostEqual(began.summary["first_crack_time_s"], computed.summary["first_crack_time_s"], delta=0.02e-3)
+        self.assertAlmostEqual(began.summary["first_crack_x_m"], computed.summary["first_crack_x_m"], delta=0.1)
+        self.assertAlmostEqual(began.summary["crack_count"] / computed.summary["crack_count"], 1, delta=0.2)
+
+    def test_cracks_of_all_regions_stand_in_the_order_of_time(self):
+        cracked = self.of_two("order", strength=(1.0, 1.2), wave=20 * WAVE, substeps=4, demand=None)
+        cracks = cracked.table("cracks.csv")
+        self.assertEqual(len(set(np.sign(cracks["x_m"]))), 2)
+        self.assertTrue((np.diff(cracks["time_s"]) >= 0).all())
+        self.assertEqual(cracked.summary["first_crack_time_s"], cracks["time_s"][0])
 
     def test_what_is_near_its_strength_at_rest_begins_at_once(self):
         began, computed = self.runs(demand=0.01)

@@ -276,7 +276,7 @@ continuum:
         given["particles"]["begin"] = {"demand": 0.8}
         waits = self.check(self.scene(json.dumps(given), "waits.json"))
         self.assertEqual(len(waits.lines["shorter"]), 1)
-        self.assertIn("ms while particles wait", waits.line("time to expect"))
+        self.assertIn("ms while particles wait, if they can", waits.line("time to expect"))
 
     def test_the_undeformed_model_is_written_where_it_is_asked_for(self):
         ground, particles = self.scene(GROUND, "ground.yaml"), self.scene(PARTICLES, "particles.yaml")

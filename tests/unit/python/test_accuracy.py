@@ -8,10 +8,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from adit import Unusable
 from adit.accuracy.choices import Choices, softens
 from adit.accuracy.dimensions import Dimension, choices, name_of, refining, rest
 from adit.accuracy.estimate import error_of
-from adit.accuracy.runs import Computed, Runs
+from adit.accuracy.page import csv_rows, markdown, verdict
+from adit.accuracy.runs import Computed, Runs, is_size
 from adit.accuracy.scatter import Scatter
 from adit.accuracy.search import Search, coarsest, median_change
 from adit.trade.own.rungs import Ladder
@@ -267,6 +269,111 @@ class Searches(unittest.TestCase):
         self.assertEqual(search.best.levels, {"zones": -2, "particles": -2})
 
 
+def searched(*values, sizes=frozenset(), **last):
+    """A search that ended with models whose answers were these, each with half as large lengths, the last one with more fields."""
+    models = [Computed({"zones": level}, {"q": value}, 1.0, sizes=sizes, **(last if level == len(values) - 1 else {}))
+              for level, value in enumerate(values)]
+    return Search(None, 0.05, 0.0, models=models)
+
+
+class NotNegative(unittest.TestCase):
+    def test_an_interval_ends_at_zero_and_keeps_its_other_end(self):
+        """The changes 1, 2 and 4 grow; of what may be negative the interval reaches below 0."""
+        free, size = searched(10.0, 9.0, 7.0, 3.0), searched(10.0, 9.0, 7.0, 3.0, sizes=frozenset("q"))
+        self.assertLess(free.value("q") - free.interval("q"), 0)
+        self.assertEqual(size.value("q") - size.interval("q"), 0)
+        self.assertAlmostEqual(size.value("q") + size.interval("q"), free.value("q") + free.interval("q"))
+        self.assertTrue(size.lacking("q"))
+
+    def test_intervals_above_zero_and_unknown_ones_stay(self):
+        for values in ((10.0, 9.0, 8.5), (10.0,)):
+            free, size = searched(*values), searched(*values, sizes=frozenset("q"))
+            self.assertEqual((size.value("q"), size.interval("q")), (free.value("q"), free.interval("q")))
+
+    def test_sizes_times_and_numbers_are_not_negative(self):
+        class Told:
+            summary = {"crack_count": 3, "particles_began_s": 0.1, "ring_largest_thrust_N": 2.0, "drift_m_per_s": 1.0, "top_uy_m": 0.3,
+                       "largest_ax_m_per_s2": 1.0}
+
+        found = {question for question in [*Told.summary, "column_of_histories_m"] if is_size(Told, question)}
+        self.assertEqual(found, {"crack_count", "particles_began_s", "ring_largest_thrust_N", "column_of_histories_m"})
+
+
+class Pages(unittest.TestCase):
+    """The page and the table say what the terminal says."""
+    scatter = Scatter({"time": {"dt": 1.0}, "particles": {"cells": {}}}, 0.005)
+
+    def told(self, search):
+        first, *_, last = verdict(search, search.reached(), self.scatter, Choices(None, [], [], None, 0.05))
+        return first, last, [line for line in markdown(search) if line.startswith("| q")], csv_rows(search)
+
+    def test_of_what_scatters_the_median_is_told_with_the_range(self):
+        sentence, _, (row,), (before, last) = self.told(searched(89.0, 153.0, ranges={"q": (123.0, 161.0)}, runs=4, tried=5))
+        self.assertEqual(sentence, "q = 153, from 123 to 161: it scatters, and this is the median of four packings")
+        self.assertEqual(row, "| q | 153 | it scatters, from 123 to 161 | – | – | – | 12 |")
+        self.assertEqual({key: last[key] for key in last if key.startswith("q")}, {"q": 153, "q_from": 123, "q_to": 161, "q_told": 153, "q_interval": ""})
+        self.assertEqual((before["q_from"], before["q_told"], list(before)), ("", "", list(last)))
+
+    def test_of_others_the_interval_is_told(self):
+        search = searched(1.0, 1.1, 1.15, ranges={"q": (1.149, 1.151)}, runs=5, tried=5)
+        sentence, _, (row,), (*_, last) = self.told(search)
+        self.assertRegex(sentence, r"^q = 1\.1667 ± 4\.4 %, the median of five packings \(from 1\.149 to 1\.151\)$")
+        self.assertTrue(row.startswith("| q | 1.1667 | 4.4 |"), row)
+        self.assertEqual((last["q_told"], last["q_interval"]), (search.value("q"), search.interval("q")))
+
+    def test_one_packing_alone_tells_no_scatter(self):
+        sentence, *_ = self.told(searched(1.0, 1.1, 1.15, tried=5))
+        self.assertTrue(sentence.endswith("of one alone of five packings, so that it is not known how it scatters"), sentence)
+
+    def test_one_model_is_one(self):
+        for values, counted in (((1.0,), ": 1 model, 1 s"), ((1.0, 1.1), ": 2 models, 2 s")):
+            self.assertIn(counted, "\n".join(verdict(searched(*values), False, self.scatter, Choices(None, [], [], None, 0.05))))
+
+
+class Failing(unittest.TestCase):
+    """`_program` stands for the coupler: it writes a summary, or fails for some runs."""
+    def computed(self, folder, failing=(), question="q", levels=0, **summary):
+        class Told(Runs):
+            def _program(self, name, settings):
+                if name in failing:
+                    return 2, "error: too tight", 1.0
+                (self.out / name).mkdir()
+                (self.out / name / "histories.csv").write_text("time_s,top_uy_m\n0,0\n1,-2\n")
+                (self.out / name / "summary.json").write_text(json.dumps({"q": 3.0 + 0.5 * len(name), "plane": "plane_strain"} | summary))
+                return 0, "", 1.0
+
+        runs = Told(Path("scene.yaml"), {"time": {"dt": 1.0}, "particles": {"cells": {"seed": 1}}}, [question], Path(folder), (), 0.05)
+        with contextlib.redirect_stdout(io.StringIO()) as told:
+            return runs.compute([Dimension("zones", {"a": 4.0}, 1, ("", ""))], {"zones": levels}), told.getvalue()
+
+    def test_a_packing_that_fails_is_told_and_not_counted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            found, told = self.computed(folder, failing=("stated_3",))
+        self.assertEqual((found.runs, found.tried), (4, 5))
+        self.assertIn("  stated_3 cannot be computed (exit code 2): too tight\n", told)
+        self.assertIn("(4 of 5 packings)", told)
+
+    def test_all_packings_are_counted_where_none_fails(self):
+        with tempfile.TemporaryDirectory() as folder:
+            found, told = self.computed(folder)
+        self.assertEqual((found.runs, found.tried), (5, 5))
+        self.assertIn("(5 packings)", told)
+
+    def test_a_first_model_that_fails_is_not_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.computed(folder, failing=("stated",)), (None, ""))
+
+    def test_questions_must_be_about_numbers(self):
+        for question, value, what in (("plane", "plane_strain", "a text"), ("parts", [1.0], "a list"), ("inputs", {}, "a mapping"), ("completed", True, "true or false")):
+            with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(
+                    Unusable, rf"^{question} is {what} in \S+/stated/summary.json, not a number; (the nearest are|choose one of its) .*\.$"):
+                self.computed(folder, question=question, **{question: value})
+
+    def test_unknown_questions_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(Unusable, r"^wall_thrust is no figure of .*; the nearest are wall_thrust_N\.$"):
+            self.computed(folder, question="wall_thrust", wall_thrust_N=1.0)
+
+
 class Begun(unittest.TestCase):
     def test_models_that_are_begun_ahead_tell_the_same(self):
         """Each program is run once, whether it was begun or not; `_program` stands for the coupler."""
@@ -342,7 +449,19 @@ class Told(unittest.TestCase):
         self.assertEqual(told.beside("p"), "")
         told = Choices(Computing(), [], found, first, 0.05)
         told.compute(1)
-        self.assertEqual(list(told.sentences()), [])
+        self.assertEqual(list(told.sentences()), ["the budget does not suffice to change the overlap, the step"])
+
+    def test_a_choice_that_cannot_be_computed_is_told(self):
+        class Failing:
+            failure = "stated,overlap_x2 cannot be computed (exit code 2): too wide"
+
+            def compute(self, dimensions, levels):
+                return None
+
+        told = Choices(Failing(), [], [Dimension("overlap", {"a": 1.0}, 1, ("", ""))], Computed({}, {"q": 1.0}, 1.0), 0.05)
+        told.compute(100)
+        self.assertEqual(list(told.sentences()), [f"the overlap could not be changed: {Failing.failure}"])
+        self.assertEqual(told.named(), [])
 
 
 if __name__ == "__main__":

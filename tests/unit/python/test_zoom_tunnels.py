@@ -5,10 +5,12 @@ from types import SimpleNamespace
 import numpy as np
 
 from adit import Unusable
-from adit.zoom.command import merged, steps
+from adit.zoom.command import AT_EDGES, merged, staying_zones, steps
 from adit.zoom.contours import Contour
 from adit.zoom.linings import Tunnel, Use, edge_demand, material_of
 from adit.zoom.outlines import Zones
+from adit.zoom.places import places
+from adit.zoom.scene import differences
 from adit.zoom.tunnel_scene import as_particles, without_lost
 from adit.zoom.tunnels import reaches
 
@@ -115,10 +117,10 @@ class Reaching(OfTunnels):
 
 
 class Written(OfTunnels):
-    def written(self, lining, size=None, **others):
+    def written(self, lining, size=None, share=0.7, **others):
         given = run(tunnel(lining=lining, **others))
-        (reach,) = self.reaches(given, [0.9])
-        return as_particles(given, self.zones, reach, Tunnel(0, tunnel(lining=lining | {"material": CONCRETE})), 0.7, size)
+        (reach,) = self.reaches(given, [1.9])
+        return as_particles(given, self.zones, reach, Tunnel(0, tunnel(lining=lining | {"material": CONCRETE})), share, size)
 
     # E' G_f / f_t^2 = 25 GPa x 120 N/m / (3 MPa)^2 = 0.333 m: a quarter of it is less than one of a lining 0.4 m thick.
     def test_sizes_of_cells(self):
@@ -128,6 +130,17 @@ class Written(OfTunnels):
         self.assertEqual(stated["particles"]["size"], 0.05)
         with self.assertRaisesRegex(Unusable, "--size 0.2 is not below half of the thickness of the lining of tunnel `at_20`, 0.4 m; give less."):
             self.written({"as": "beam", "thickness": 0.4, "material": CONCRETE}, 0.2)
+
+    def test_particles_begin_before_anything_breaks(self):
+        for share, demand in ((0.7, 0.7), (1.0, 1.0), (1.5, 1.0)):
+            stated, _ = self.written({"as": "beam", "thickness": 0.4, "material": CONCRETE}, share=share)
+            self.assertEqual(stated["particles"]["begin"], {"demand": demand})
+
+    def test_cells_are_no_larger_than_zones(self):
+        lining = {"as": "beam", "thickness": 3.0, "material": CONCRETE}
+        self.assertEqual(self.written(lining, 1.0)[0]["particles"]["size"], 1)
+        with self.assertRaisesRegex(Unusable, r"^--size 1.1 is above 1 m, the shorter side of the zones around \(20, 15\) m that become particles; give less\.$"):
+            self.written(lining, 1.1)
 
     def test_linings_become_cells_tied_to_the_ground(self):
         stated, _ = self.written({"as": "zones", "thickness": 0.4, "material": CONCRETE | {"mohr_coulomb": {}}}, zones={"across": 2}, stage=1, released=0.4)
@@ -164,6 +177,29 @@ class Written(OfTunnels):
         self.assertEqual(steps({"dt": 1e-4}), {"substeps": 0, "dt": None})
         self.assertEqual(steps({"substeps": 2}), {})
         self.assertEqual(merged({"time": {"dt": None}, "a": 1}, {"time": {"substeps": 0}, "b": 2}), {"time": {"dt": None, "substeps": 0}, "a": 1, "b": 2})
+
+
+class InGround(OfTunnels):
+    def written(self, share, size=None):
+        given = run()
+        given.scene |= {"material": CONCRETE, "time": {}}
+        near = (self.zones.centres == (20.5, 15.5)).all(axis=1)
+        found, _ = places(self.zones, near, np.zeros(len(self.zones.points), bool))
+        return differences(given, self.zones, found, share, size)
+
+    def test_particles_begin_before_anything_breaks(self):
+        for share, demand in ((0.7, 0.7), (1.0, 1.0), (1.5, 1.0)):
+            self.assertEqual(self.written(share)[0]["particles"]["begin"], {"demand": demand})
+
+    def test_cells_are_no_larger_than_zones(self):
+        self.assertEqual(self.written(0.8, 1.0)[0]["particles"]["cells"]["size"], 1)
+        with self.assertRaisesRegex(Unusable, r"^--size 50 is above 1 m, the shorter side of the zones around \(20\.5, 15\.5\) m that become particles; give less\.$"):
+            self.written(0.8, 50.0)
+
+    def test_zones_that_stay_are_counted(self):
+        for count, told in ((1, r"a zone near its strength, at \(0\.5, 0\.5\) m, stays a zone: "), (2, r"2 zones near their strength, .*, stay zones: ")):
+            staying = np.arange(len(Piece.cells)) < count
+            self.assertRegex(staying_zones(self.zones, np.ones(len(staying)), staying, AT_EDGES), told)
 
 
 if __name__ == "__main__":
