@@ -16,7 +16,7 @@ namespace adit::coupler {
 namespace {
 
 constexpr std::size_t kNowhere = ~std::size_t{0};
-constexpr double kSafety = 1.5;  // of the largest rate of the demand so far
+constexpr double kSafety = 3;  // of the largest rate of the demand so far
 // What they take on a core of 2023 [s]: a number of a matrix with the exchange that it makes wait, a step of
 // a cell; and what is little beside a round trip.
 constexpr double kNumber = 1.6e-9, kParticleStep = 0.15e-6, kLittle = 0.2e-3;

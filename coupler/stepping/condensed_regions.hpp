@@ -10,7 +10,7 @@
 // and the particles rest, but for the steps at which results are wanted or the demand is looked at: there
 // they are told how the grid points have moved and are put into the state into which they have followed.
 //
-// The demand is looked at with every row of results, every twenty steps, which is less than the period of the
+// The demand is looked at with every row of results, every fifty steps, which is about the period of the
 // shortest waves that a grid carries, at the first steps 1, 2, 4, …, and as soon as it may have come near: it
 // changes by less than its largest rate so far, per square root of strain energy, allows.
 //
@@ -52,7 +52,7 @@ struct GridMotion {
 };
 
 // Steps of the grid from one look at the demand to the next, at most.
-constexpr std::uint64_t kLookInterval = 20;
+constexpr std::uint64_t kLookInterval = 50;
 // What a step of a region takes that so many grid points move, on a core of 2023 [s].
 double seconds_to_move(std::size_t masters);
 
