@@ -19,7 +19,7 @@ constexpr double kLook = 3.5e-6;     // at a cell, on a core of 2023 [s]
 // Grid points that move this participant by the interface.
 std::size_t masters_of(const Model& model, const Interface& interface) {
   const Participant& grid = model.participants[interface.coarse];
-  const Segment& segment = *std::ranges::find(grid.segments, interface.begin, &Segment::global);
+  const Segment& segment = grid.segment_from(interface.begin);
   std::set<std::uint32_t> masters;
   for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row)
     for (const std::uint32_t own : grid.interpolation->columns(row)) masters.insert(own);

@@ -204,13 +204,13 @@ void RunSummary::add_waiting(const Stepper& stepper) {
     }
     const double time = static_cast<double>(beginning->step) * model_.dt;
     summary_.set(region + "_began_s", time);
-    if (beginning->reason.empty()) summary_.set(region + "_began_demand", beginning->demand);
     if (!beginning->reason.empty()) {
       summary_.set(region + "_began_because", beginning->reason);
       lines_.push_back(fmt::format("{:<18} could not wait: {}", region, beginning->reason));
       continue;
     }
     any_began = true;
+    summary_.set(region + "_began_demand", beginning->demand);
     lines_.push_back(
         fmt::format("{:<18} began at {:.4g} s, with a demand of {:.2g}", region, time, beginning->demand));
   }

@@ -39,8 +39,7 @@ Interpolation coarse_operator(const std::vector<Participant>& participants,
   std::vector<double> values, inverse_masses;
   for (const Interface& interface : interfaces) {
     const Participant& participant = participants[interface.coarse];
-    const Segment& segment = *std::find_if(participant.segments.begin(), participant.segments.end(),
-                                           [&](const Segment& s) { return s.global == interface.begin; });
+    const Segment& segment = participant.segment_from(interface.begin);
     for (std::size_t k = 0; k < segment.count; ++k) {
       for (const std::uint32_t column : participant.interpolation->columns(segment.begin + k))
         columns.push_back(static_cast<std::uint32_t>(first[interface.coarse] + column));

@@ -110,6 +110,10 @@ struct Participant {
   void exchange(state::Archive& archive);
 
   const wire::Predicted& prediction() const { return reply.predicted(); }
+  // Its coupling points of the interface whose first one has this place in the model's list.
+  const Segment& segment_from(std::size_t global) const {
+    return *std::ranges::find(segments, global, &Segment::global);
+  }
 };
 
 // Collects the answer to what was posted; another kind, or one that is not sound (answers.hpp), is

@@ -125,7 +125,7 @@ void CondensedRegions::find_masters(Region& region, wire::Condense& request) con
   request.Clear();
   request.add_row_starts(0);
   region.own.clear();
-  const Segment& segment = *std::ranges::find(grid.segments, region.begin, &Segment::global);
+  const Segment& segment = grid.segment_from(region.begin);
   for (std::size_t row = segment.begin; row < segment.begin + segment.count; ++row) {
     const auto columns = grid.interpolation->columns(row);
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -395,9 +395,9 @@ std::vector<double> CondensedRegions::at_points(const Region& region,
     for (std::size_t component = 0; component < 2; ++component)
       own[2 * region.own[k] + component] = of_masters[static_cast<Eigen::Index>(2 * k + component)];
   grid.interpolation->interpolate(own, at_its);
-  const auto segment = std::ranges::find(grid.segments, region.begin, &Segment::global);
-  const auto first = at_its.begin() + static_cast<std::ptrdiff_t>(2 * segment->begin);
-  return {first, first + static_cast<std::ptrdiff_t>(2 * segment->count)};
+  const Segment& segment = grid.segment_from(region.begin);
+  const auto first = at_its.begin() + static_cast<std::ptrdiff_t>(2 * segment.begin);
+  return {first, first + static_cast<std::ptrdiff_t>(2 * segment.count)};
 }
 
 std::vector<CondensedRegions::Story> CondensedRegions::stories() const {
