@@ -65,10 +65,12 @@ def main(words):
     options = parsed(words)
     if options.page:
         page.check_place()
-    programs.bring_up_to_date("coupler", "fdm_server", "dem_server", "simplified")
+    missing = page.missing(options.out) if options.page else ()
+    if missing or not options.page:
+        programs.bring_up_to_date("coupler", "fdm_server", "dem_server", "simplified")
     options.out.mkdir(parents=True, exist_ok=True)
     if options.page:
-        for name in page.missing(options.out):
+        for name in missing:
             compute(name, options)
         page.write(options.out)
     elif options.case and options.case not in NAMES:
