@@ -94,6 +94,8 @@ GeneralEngine::Used GeneralEngine::most_used() const {
     uses(worn ? share_of_friction(*worn, set.laws[set.law[k]]) : 1, "the faces that touch", set.first[k],
          set.second[k]);
   }
+  for (const CellContacts::Contact& contact : solver_.cells().contacts())
+    uses(contact.touch.stiffness > 0 ? 1 : 0, "the cells that touch", contact.first, contact.second);
   for (const Joints::Joint& joint : solver_.joints().joints())
     uses(share_of_friction(joint.normal, joint.springs.shear, joint.law.friction), "the smooth joint",
          joint.first, joint.second);

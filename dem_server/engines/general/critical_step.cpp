@@ -10,6 +10,7 @@
 
 #include "dem_server/engines/general/facets/highest_frequency.hpp"
 #include "dem_server/model/bond_springs.hpp"
+#include "dem_server/model/placement/groups.hpp"
 #include "protocol/foundation/critical_step.hpp"
 
 namespace adit::dem {
@@ -152,6 +153,8 @@ class Touching {
   // In steps of dt, of all but facets.
   Sums sums(double dt) const { return sums(dt, false); }
   Sums sums_with_facets(double dt) const { return sums(dt, true); }
+  // By which contacts of cells are stiffer than the facets whose places they take, at least 1.
+  double over_facets(double dt) const;
   // The largest omega^2 of an element.
   Stiffest stiffest(const Sums& sums, const Masses& masses) const;
 
@@ -161,7 +164,10 @@ class Touching {
   Hardest wall_of_disc(std::uint32_t i, double dt) const;
   std::vector<Element> elements(double dt) const;
 
-  double walls() const { return std::min<double>(2, static_cast<double>(model_.walls.size())); }
+  // A particle lies on two of them at most. A cell's side on one may be as long as two of a regular hexagon.
+  double walls() const {
+    return (model_.outlines.empty() ? 1 : 2) * std::min<double>(2, static_cast<double>(model_.walls.size()));
+  }
 
   const Model& model_;
   double smallest_, heaviest_;
@@ -179,6 +185,25 @@ Hardest Touching::wall_of_disc(std::uint32_t i, double dt) const {
   Hardest hardest;
   for (const MovingWall& wall : model_.walls) hardest.add(effective(wall.contact, 1 / model_.mass[i], dt));
   return hardest;
+}
+
+// The law's stiffness is that of a facet of a regular hexagon (Group::stiffness).
+double Touching::over_facets(double dt) const {
+  if (model_.cell_elasticity.empty()) return 1;
+  std::vector<double> lightest(model_.groups(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < model_.mass.size(); ++i)
+    lightest[model_.group[i]] = std::min(lightest[model_.group[i]], model_.mass[i]);
+  double most = 1;
+  for (std::uint32_t a = 0; a < model_.groups(); ++a)
+    for (std::uint32_t b = a; b < model_.groups(); ++b) {
+      const LinearContact contact =
+          effective(model_.contacts[model_.contact_number(a, b)], 1 / lightest[a] + 1 / lightest[b], dt);
+      const double of_facet =
+          in_series(model_.cell_elasticity[a].stiffness, model_.cell_elasticity[b].stiffness) /
+          std::numbers::sqrt3;
+      most = std::max({most, contact.normal_stiffness / of_facet, contact.shear_stiffness / of_facet});
+    }
+  return most;
 }
 
 std::vector<Element> Touching::elements(double dt) const {
@@ -275,7 +300,8 @@ double with_dashpots(const Touching& touching, const Masses& masses, double face
   for (int k = 0; k < kBisections; ++k) {
     const double middle = (stable + unstable) / 2;
     const Stiffest stiffest = touching.stiffest(touching.sums(middle), masses);
-    ((stiffest.squared + facets) * middle * middle <= 4 ? stable : unstable) = middle;
+    ((stiffest.squared + facets * touching.over_facets(middle)) * middle * middle <= 4 ? stable : unstable) =
+        middle;
   }
   return stable;
 }
@@ -338,7 +364,7 @@ CriticalElement critical_element(const Model& model) {
   const Masses masses = true_masses(model);
   const double facets = highest_square_of_facets(model, masses);
   Stiffest stiffest = touching.stiffest(touching.sums(kOfSprings), masses);
-  const double of_statics = step_of(stiffest.squared + facets);
+  const double of_statics = step_of(stiffest.squared + facets * touching.over_facets(kOfSprings));
   double step = of_statics;
   if (stiffest.squared > 0 && any_dashpots(model)) {
     step = with_dashpots(touching, masses, facets, step);

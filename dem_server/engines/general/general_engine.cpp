@@ -36,7 +36,7 @@ GeneralEngine::GeneralEngine(std::size_t threads, Model model)
       solver_(model_, threads > 0 ? threads : useful_threads(model_.discs.size())),
       loads_(model_, solver_.particles()),
       motions_(model_, solver_.particles()),
-      lists_(solver_.neighbours().lists()) {}
+      lists_(solver_.lists()) {}
 
 CriticalElement GeneralEngine::critical_element() const {
   std::vector<CriticalElement> elements;
@@ -132,8 +132,8 @@ std::vector<Figure> GeneralEngine::figures() const {
 
 // Only what moves far makes new lists of neighbours.
 void GeneralEngine::warn_of_escapes(const protocol::Step& step) {
-  if (escaped_ || solver_.neighbours().lists() == lists_) return;
-  lists_ = solver_.neighbours().lists();
+  if (escaped_ || solver_.lists() == lists_) return;
+  lists_ = solver_.lists();
   const auto& extent = model_.extent;
   const double far = kFar * std::hypot(extent.x_max - extent.x_min, extent.y_max - extent.y_min);
   const Particles& p = particles();

@@ -69,18 +69,9 @@ void Neighbours::press(std::span<const TouchingPair> touching, std::span<const P
   }
 }
 
-void Neighbours::part(std::span<const Pair> pairs) {
-  if (pairs.empty()) return;
-  std::erase_if(joined_, [pairs](const Pair& joined) {
-    const auto found = std::ranges::lower_bound(pairs, joined, before);
-    return found != pairs.end() && *found == joined;
-  });
-  stale_ = true;
-}
-
 bool Neighbours::update(const Particles& particles) {
   if (moved_.most() > skin_ / 2) moved_.measure(particles);
-  if (!stale_ && moved_.most() + std::max(moved_.most(), walls_travelled_) <= skin_) return false;
+  if (moved_.most() + std::max(moved_.most(), walls_travelled_) <= skin_) return false;
   list(particles);
   pairs_.sort_chunks({});
   return true;
@@ -109,7 +100,6 @@ std::vector<bool> Neighbours::list(const Particles& p) {
   auto kept = keep_springs(pairs_, fresh);
   pairs_ = std::move(fresh);
   walls_travelled_ = 0;
-  stale_ = false;
   ++lists_;
   return kept;
 }

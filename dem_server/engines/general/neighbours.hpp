@@ -20,6 +20,10 @@ namespace adit::dem {
 class Neighbours {
  public:
   Neighbours() = default;
+  // Of so many particles that are no discs, none of which touches as discs do.
+  explicit Neighbours(std::size_t particles) : radius_(particles, 0.0) {
+    pairs_.finish(particles, false, false);
+  }
   // `joined`: ascending; these never enter the list. The law of a contact of discs of groups a and b is
   // first_law + group_pair_number(groups, a, b). Overlaps at the start bear no force where `overlaps_free`,
   // except what the pairs of `touching` bear.
@@ -31,9 +35,6 @@ class Neighbours {
   // begin (`fresh`), start free of force at their present places; discs that were taken away have none.
   void begin_stage(const Particles& particles, std::vector<Pair> joined, std::vector<std::uint32_t> group,
                    std::uint32_t first_law, const std::vector<bool>& fresh);
-
-  // Pairs of `joined` that may touch from now on; ascending.
-  void part(std::span<const Pair> pairs);
 
   // A step moved the discs, and walls, by at most this [m].
   void moved(double farthest, double farthest_wall) {
@@ -69,7 +70,6 @@ class Neighbours {
   Pairs pairs_;
   DisplacementBound moved_;     // of the discs since the list was made
   double skin_ = 0;             // [m]
-  bool stale_ = false;          // pairs have parted that may be missing
   double walls_travelled_ = 0;  // at most, by any wall since the list was made [m]
   std::uint64_t lists_ = 0;
 };

@@ -93,6 +93,19 @@ void GeneralEngine::for_each_contact(const SeePair& see) const {
     if (const ObservedPair contact = forces_of(k, solver_, solver_.contacts()); contact.touches) see(contact);
   for (const std::uint32_t k : solver_.facets().touching())
     if (const ObservedPair contact = forces_of(k, solver_); contact.normal < 0) see(contact);
+  const Particles& p = particles();
+  for (const CellContacts::Contact& contact : solver_.cells().contacts())
+    if (const auto meets = solver_.cells().encounter(contact, solver_.facets().set(), p))
+      see({.first = contact.first,
+           .second = contact.second,
+           .nx = meets->nx,
+           .ny = meets->ny,
+           .normal = contact.touch.normal - contact.touch.dashpots.normal,
+           .shear = contact.touch.shear,
+           .moment = 0,
+           .weight = solver_.cells().weight(contact, p),
+           .place = PlaneVector{p.x[contact.first] + p.ux[contact.first] + meets->arm_1.x,
+                                p.y[contact.first] + p.uy[contact.first] + meets->arm_1.y}});
 }
 
 std::vector<ObservedCrack> GeneralEngine::cracks() const {
@@ -121,12 +134,13 @@ std::vector<JointForce> GeneralEngine::joints() const {
 std::vector<WallTouch> GeneralEngine::wall_touches() const {
   const Particles& p = particles();
   std::vector<WallTouch> touches;
-  for (const WallContacts::Touch& touch : solver_.walls().touches()) {
-    const PairKinematics pair = solver_.walls().kinematics(touch.wall, touch.disc, p);
-    const double normal = touch.normal - touch.dashpots.normal, shear = touch.shear;
-    const double x = p.x[touch.disc] + p.ux[touch.disc], y = p.y[touch.disc] + p.uy[touch.disc];
-    const PlaneVector force = vector_of(pair.nx, pair.ny, normal, shear);
-    touches.push_back({touch.disc, x + pair.length * pair.nx, y + pair.length * pair.ny, force.x, force.y});
+  for (const WallContacts::Near& near : solver_.walls().near()) {
+    const auto meets = solver_.walls().encounter(near, solver_.facets().set(), p);
+    if (!meets) continue;
+    const double x = p.x[near.disc] + p.ux[near.disc], y = p.y[near.disc] + p.uy[near.disc];
+    const PlaneVector force =
+        vector_of(meets->nx, meets->ny, near.touch.normal - near.touch.dashpots.normal, near.touch.shear);
+    touches.push_back({near.disc, x + meets->arm_1.x, y + meets->arm_1.y, force.x, force.y});
   }
   return touches;
 }

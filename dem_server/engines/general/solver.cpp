@@ -71,10 +71,13 @@ Solver::Solver(const Model& model, std::size_t threads)
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_ = Joints(std::move(bonded.joints));
   facets_ = Facets(model, threads);
-  neighbours_ =
-      Neighbours(particles_, model.discs.radius, pairs_of(model.bonds), model.group, model.groups(),
-                 bonded.first_contact_law, bonded.dashpots, model.overlaps_free, model.touching, laws_);
-  walls_ = WallContacts(model.walls, model.discs.radius, particles_, neighbours_.skin(), model.overlaps_free);
+  cells_ = CellContacts(model, facets_.set(), particles_);
+  neighbours_ = cells_.empty() ? Neighbours(particles_, model.discs.radius, pairs_of(model.bonds),
+                                            model.group, model.groups(), bonded.first_contact_law,
+                                            bonded.dashpots, model.overlaps_free, model.touching, laws_)
+                               : Neighbours(particles_.size());
+  walls_ = WallContacts(model.walls, cells_.polygons(), facets_.set(), particles_,
+                        cells_.empty() ? neighbours_.skin() : cells_.skin(), model.overlaps_free);
   for (auto* pulled : {&pulled_x_, &pulled_y_, &pulled_moment_}) pulled->assign(particles_.size(), 0.0);
   strain_at_start_ = strain_energy().sum();
   renew_damping();
@@ -104,11 +107,12 @@ void Solver::step(const protocol::Step& step, Loads& loads, PrescribedMotions& m
   if (!planned_ || sweeps_ == damping_.acts_everywhere(step)) plan(step, loads, motions);
   sweep(step);
   facets_.end_step();
-  neighbours_.part(facets_.parted_now());
+  if (!facets_.cracked().empty() || facets_.any_parted()) cells_.expose_more();
   joints_.add_forces(dt, particles_);
   springs_.add_forces(dt, particles_);
   bars_.add_forces(dt, *team_, particles_);
-  walls_.add_forces(step, particles_);
+  cells_.add_forces(step, facets_.set(), particles_);
+  walls_.add_forces(step, facets_.set(), particles_);
   gather(dt);
   loads.apply(step, particles_);
   for (foundation::Springs& springs : foundations_) springs.pull(step, motion(springs));
@@ -140,7 +144,9 @@ void Solver::plan(const protocol::Step& step, const Loads& loads, const Prescrib
   for (const Spring& spring : springs_.springs()) kept[spring.first] = kept[spring.second] = true;
   for (std::size_t k = 0; k < bars_.size(); ++k)
     for (const BarNode& node : bars_.chain(k).bar().nodes) kept[node.disc] = true;
-  for (const WallContacts::Touch& touch : walls_.touches()) kept[touch.disc] = true;
+  for (const CellContacts::Contact& contact : cells_.contacts())
+    kept[contact.first] = kept[contact.second] = true;
+  for (const WallContacts::Near& near : walls_.near()) kept[near.disc] = true;
   for (const EdgeDashpot& edge : edges_) kept[edge.disc] = true;
   for (const Held& held : held_) kept[held.disc] = true;
   for (const foundation::Springs& springs : foundations_) springs.mark(kept);
@@ -177,10 +183,15 @@ void Solver::move(const protocol::Step& step) {
   });
   double fastest = 0;
   for (const BlockResult& result : results_) fastest = std::max(fastest, result.fastest);
-  neighbours_.moved(step.dt * std::sqrt(fastest), walls_.move(step));
-  if (!neighbours_.update(particles_)) return;
+  if (!update_contacts(step.dt, step.dt * std::sqrt(fastest), walls_.move(step))) return;
   walls_.list(particles_);
   planned_ = false;
+}
+
+bool Solver::update_contacts(double dt, double farthest, double farthest_wall) {
+  if (!cells_.empty()) return cells_.update(dt, farthest_wall, facets_.set(), particles_);
+  neighbours_.moved(farthest, farthest_wall);
+  return neighbours_.update(particles_);
 }
 
 // Work is the trapezoid of the power of what pairs did at the last step and do now.
@@ -298,6 +309,7 @@ void Solver::start_over(const protocol::Drift& drift) {
   for (foundation::Springs& springs : foundations_) springs.start_over();
   joints_.start_over();
   facets_.start_over();
+  cells_.start_over();
   strain_at_start_ = strain_energy().sum();
 }
 
@@ -308,7 +320,7 @@ void Solver::exchange(state::Archive& archive) {
   neighbours_.exchange(laws_, archive);
   joints_.exchange(archive);
   facets_.exchange(archive);
-  if (archive.reads()) neighbours_.part(facets_.parted());
+  cells_.exchange(archive);
   springs_.exchange(archive);
   bars_.exchange(archive);
   for (foundation::Springs& springs : foundations_) springs.exchange(archive);
@@ -331,9 +343,9 @@ void Solver::exchange(state::Archive& archive) {
   state::require_of_model(bonds_.size() == bonds && (bonds == 0 || bonds_.bonded()), "pairs");
   state::require_below(springs_.broken(), springs_.springs().size(), "springs_broken");
   for (const Held& held : held_) state::require_below(std::array{held.disc}, particles_.size(), "held");
-  for (const WallContacts::Touch& touch : walls_.touches()) {
-    state::require_below(std::array{touch.disc}, particles_.size(), "touches");
-    state::require_below(std::array{touch.wall}, walls_.size(), "touches");
+  for (const WallContacts::Near& near : walls_.near()) {
+    state::require_below(std::array{near.disc}, particles_.size(), "touches");
+    state::require_below(std::array{near.wall}, walls_.size(), "touches");
   }
 }
 
@@ -347,7 +359,7 @@ Stored Solver::stored() const {
   });
   Stored sum;
   for (const Stored& of_block : of_blocks) sum.add(of_block);
-  sum.contacts += walls_.strain_energy();
+  sum.contacts += walls_.strain_energy() + cells_.strain_energy(particles_);
   return sum;
 }
 
@@ -379,14 +391,16 @@ double Solver::internal_force() const {
     sum += joint.weight * std::hypot(joint.normal, joint.springs.shear);
   for (const double force : springs_.forces()) sum += std::abs(force);
   sum += bars_.internal_force();
-  for (const WallContacts::Touch& touch : walls_.touches()) sum += std::hypot(touch.normal, touch.shear);
+  for (const CellContacts::Contact& contact : cells_.contacts())
+    sum += cells_.weight(contact, particles_) * std::hypot(contact.touch.normal, contact.touch.shear);
+  for (const WallContacts::Near& near : walls_.near()) sum += std::hypot(near.touch.normal, near.touch.shear);
   return sum;
 }
 
 DiscLedger Solver::ledger() const {
   DiscLedger ledger = ledger_;
-  ledger.friction += walls_.friction() + joints_.friction();
-  ledger.dashpots += walls_.dashpots();
+  ledger.friction += walls_.friction() + joints_.friction() + cells_.friction();
+  ledger.dashpots += walls_.dashpots() + cells_.dashpots();
   ledger.released += springs_.released();
   for (const foundation::Springs& springs : foundations_) {
     ledger.ground += springs.work();

@@ -19,6 +19,7 @@
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/general/bars/bars.hpp"
+#include "dem_server/engines/general/cells/cell_contacts.hpp"
 #include "dem_server/engines/general/facets/facets.hpp"
 #include "dem_server/engines/general/forces/damping.hpp"
 #include "dem_server/engines/general/forces/joints.hpp"
@@ -79,6 +80,9 @@ class Solver {
   const Pairs& contacts() const { return neighbours_.pairs(); }
   const Neighbours& neighbours() const { return neighbours_; }
   Neighbours& neighbours() { return neighbours_; }
+  // Lists of what may touch, made so far.
+  std::uint64_t lists() const { return neighbours_.lists() + cells_.lists(); }
+  const CellContacts& cells() const { return cells_; }
   const WallContacts& walls() const { return walls_; }
   const SpringForces& springs() const { return springs_; }
   const Bars& bars() const { return bars_; }
@@ -120,6 +124,8 @@ class Solver {
   void note_pulls();
   void note_pull(std::uint32_t disc);
   void move(const protocol::Step& step);
+  // Returns whether other particles than before may touch.
+  bool update_contacts(double dt, double farthest, double farthest_wall);
   void sweep(const protocol::Step& step);
   void gather(double dt);
   double power_of_kept(std::size_t block);
@@ -141,6 +147,7 @@ class Solver {
   Neighbours neighbours_;
   Joints joints_;
   Facets facets_;
+  CellContacts cells_;
   SpringForces springs_;
   Bars bars_;
   std::vector<foundation::Springs> foundations_;

@@ -235,7 +235,8 @@ std::int64_t find_actions(const FacetChunk& of, const FacetPatch& patch, const F
 }
 
 bool cracks(const WornFacet& worn) {
-  return !worn.cracked && std::min(worn.ends[0].point.wear, worn.ends[1].point.wear) >= kCracked;
+  return !worn.cracked &&
+         (worn.parted || std::min(worn.ends[0].point.wear, worn.ends[1].point.wear) >= kCracked);
 }
 
 bool has_opened(const WornFacet& worn) {
@@ -250,7 +251,7 @@ void wear(const WornStep& step, double pressure_1, double pressure_2, const Face
   step.add(pressure_1, pressure_2, worn);
   if (step.parts(worn)) {
     worn.parted = true;
-    result.parted.push_back(worn.facet);
+    result.any_parted = true;
   }
   const double dissipated = step.find(worn);
   result.fracture += set.weight[worn.facet] *
@@ -499,7 +500,8 @@ void add_facet_forces(const FacetPatch& patch, std::span<const double> ux, std::
                       bool internal_force, FacetSet& set, FacetWork& work, BlockDiscs& discs,
                       FacetResult& result) {
   result.max_normal = result.fracture = result.internal_force = 0;
-  for (auto* facets : {&result.cracked, &result.parted}) facets->clear();
+  result.cracked.clear();
+  result.any_parted = false;
   result.worn.clear();
   if (patch.size() == 0) return;
   const PatchStep step(patch, set, work);

@@ -31,8 +31,9 @@
 // make no energy. (The pressures of the step before in the place of p_j would be late by g steps, and a force
 // that is late drives what vibrates.)
 //
-// A cracked facet whose faces have moved past each other by half of its length, or as far apart, has parted:
-// it bears nothing any more, and its cells touch as discs do.
+// A facet of which one end at least has lost its strength, and whose faces have moved past each other by half
+// of its length, or apart at one end, has parted: it bears nothing any more, and its cells touch as polygons
+// do (cells/cell_contacts.hpp).
 #pragma once
 
 #include <cstdint>
@@ -61,12 +62,13 @@ struct FacetWork {
 
 // What the facets of a block did in a step.
 struct FacetResult {
-  double max_normal = 0;                       // largest |N|, unweighted [N]; not finite where any is not
-  std::uint32_t strongest = 0;                 // a facet that carries it
-  double fracture = 0;                         // dissipated, weighted [J]
-  double internal_force = 0;                   // sum of |force|, weighted, where it is asked for [N]
-  std::vector<std::uint32_t> cracked, parted;  // ascending
-  std::vector<WornFacet> worn;                 // those of FacetSet after the step
+  double max_normal = 0;               // largest |N|, unweighted [N]; not finite where any is not
+  std::uint32_t strongest = 0;         // a facet that carries it
+  double fracture = 0;                 // dissipated, weighted [J]
+  double internal_force = 0;           // sum of |force|, weighted, where it is asked for [N]
+  std::vector<std::uint32_t> cracked;  // ascending
+  bool any_parted = false;
+  std::vector<WornFacet> worn;  // those of FacetSet after the step
 };
 
 // Turns the cells begin … end - 1 by dt times their spin.

@@ -78,9 +78,11 @@ struct Turns {
                                                     double shear, double moment, double nx, double ny) {
   const double h = half_distance, e = 2 * h * skew;
   const double arm_n = cosine * h + sine * e + 0.5 * jump_n;  // of the second cell: -arm_n
-  const double middle_t = cosine * e - sine * h, half_t = 0.5 * jump_t, by_shear = arm_n * shear;
+  const double middle_t = cosine * e - sine * h, half_t = 0.5 * jump_t, by_shear = arm_n * shear,
+               bending = cosine * moment;  // both ends part by the sine of half the turn
   return {normal * nx - shear * ny, normal * ny + shear * nx,
-          by_shear - (middle_t + half_t) * normal + moment, (middle_t - half_t) * normal + by_shear - moment};
+          by_shear - (middle_t + half_t) * normal + bending,
+          (middle_t - half_t) * normal + by_shear - bending};
 }
 
 }  // namespace adit::dem

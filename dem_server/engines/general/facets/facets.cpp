@@ -63,7 +63,7 @@ FacetSet facets_of(const Model& model) {
     set.share_1.push_back(share_of(mean / model.elasticity_of(bond.first).stiffness));
     set.share_2.push_back(share_of(mean / model.elasticity_of(bond.second).stiffness));
   }
-  if (set.size() == 0) return set;
+  if (set.size() == 0 && model.outlines.empty()) return set;
   for (auto* column : {&set.start_n, &set.start_t, &set.start_turn}) column->assign(set.size(), 0.0);
   for (auto* column : {&set.turn, &set.sine, &set.versine, &set.pressure})
     column->assign(model.discs.size(), 0.0);
@@ -87,7 +87,7 @@ void FacetSet::set_worn(std::uint32_t block, std::vector<WornFacet>&& facets) {
 }
 
 void FacetSet::exchange(state::Archive& archive) {
-  if (size() == 0) return;
+  if (cells() == 0) return;
   archive("facet_start_n", std::span(start_n));
   archive("facet_start_t", std::span(start_t));
   archive("facet_start_turn", std::span(start_turn));
@@ -122,7 +122,7 @@ void Facets::divide() {
 }
 
 void Facets::turn(double dt, const protocol::IndexRange& cells, std::span<const double> spin) {
-  if (!empty()) turn_cells(dt, cells.begin, cells.end, spin, set_);
+  if (set_.cells() > 0) turn_cells(dt, cells.begin, cells.end, spin, set_);
 }
 
 void Facets::add_forces(std::uint32_t block, std::size_t thread, bool relax, const Particles& p,
@@ -163,19 +163,8 @@ void Facets::find_linear_forces(Particles& p, protocol::Team& team) {
   find_forces(1, p, team);
 }
 
-std::vector<Pair> Facets::parted_now() const {
-  std::vector<Pair> pairs;
-  for (const FacetResult& result : results_)
-    for (const std::uint32_t k : result.parted) pairs.push_back({set_.first[k], set_.second[k]});
-  return pairs;
-}
-
-std::vector<Pair> Facets::parted() const {
-  std::vector<Pair> pairs;
-  for (const auto& block : set_.worn)
-    for (const WornFacet& worn : block)
-      if (worn.parted) pairs.push_back({set_.first[worn.facet], set_.second[worn.facet]});
-  return pairs;
+bool Facets::any_parted() const {
+  return std::ranges::any_of(results_, [](const FacetResult& result) { return result.any_parted; });
 }
 
 Crack Facets::crack(std::uint32_t k, const Particles& p) const {
@@ -266,7 +255,7 @@ double Facets::strain_energy(const Particles& p) const {
 
 void Facets::begin_stage(const Model& model, const std::vector<bool>& fresh, const Particles& p) {
   FacetSet before = std::exchange(set_, facets_of(model));
-  if (before.size() > 0 && !empty()) {
+  if (before.cells() > 0) {
     set_.turn = before.turn;
     set_.sine = before.sine;
     set_.versine = before.versine;
@@ -308,7 +297,7 @@ void Facets::begin_stage(const Model& model, const std::vector<bool>& fresh, con
 
 void Facets::exchange(state::Archive& archive) {
   set_.exchange(archive);
-  if (empty()) return;
+  if (set_.cells() == 0) return;
   archive("fracture", fracture_);
   archive("internal_force_of_facets", internal_force_);
   if (!archive.reads()) return;

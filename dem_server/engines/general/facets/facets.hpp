@@ -9,7 +9,6 @@
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/crack.hpp"
 #include "dem_server/engines/general/facets/facet_kernel.hpp"
-#include "dem_server/packing/discs.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/state/archive.hpp"
 #include "protocol/threads/index_ranges.hpp"
@@ -58,9 +57,7 @@ class Facets {
   FacetState state(std::uint32_t facet, const Particles& particles) const;
   // Of the last step: facets that cracked, ascending; the largest |normal force|.
   std::span<const std::uint32_t> cracked() const { return cracked_; }
-  // Pairs of cells whose facets parted in the last step, and of all that have; ascending.
-  std::vector<Pair> parted_now() const;
-  std::vector<Pair> parted() const;
+  bool any_parted() const;  // in the last step
   // What a cracked facet leaves, in the body at rest.
   Crack crack(std::uint32_t facet, const Particles& particles) const;
   Strongest strongest(const Particles& particles) const;

@@ -83,9 +83,11 @@ class WornStep {
     return {set_.share_1[k_] * set_.share_1[k_] * released, set_.share_2[k_] * set_.share_2[k_] * released};
   }
 
+  // One end has lost its strength: the other may be a hinge that is never beyond its own.
   bool parts(const WornFacet& worn) const {
-    return worn.cracked && !worn.parted &&
-           std::max(std::abs(motion_.jump_t), motion_.jump_n) > set_.length[k_] / 2;
+    return !worn.parted && std::max(worn.ends[0].point.wear, worn.ends[1].point.wear) >= kCracked &&
+           std::max(std::abs(motion_.jump_t), motion_.jump_n + std::abs(motion_.turn) * set_.length[k_] / 2) >
+               set_.length[k_] / 2;
   }
 
   double normal(const WornFacet& worn) const {

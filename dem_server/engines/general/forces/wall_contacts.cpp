@@ -1,20 +1,23 @@
 #include "dem_server/engines/general/forces/wall_contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
-#include "dem_server/laws/spring.hpp"
 #include "dem_server/model/nearest_on_wall.hpp"
 
 namespace adit::dem {
 
-WallContacts::WallContacts(std::vector<MovingWall> walls, std::span<const double> radius,
-                           const Particles& particles, double skin, bool overlaps_free)
-    : walls_(std::move(walls)), states_(walls_.size()), radius_(radius.begin(), radius.end()), skin_(skin) {
+WallContacts::WallContacts(std::vector<MovingWall> walls, const CellPolygons& polygons,
+                           const FacetSet& facets, const Particles& particles, double skin,
+                           bool overlaps_free)
+    : walls_(std::move(walls)), states_(walls_.size()), polygons_(polygons), skin_(skin) {
   list(particles);
   if (overlaps_free)
-    for (Touch& touch : touches_)
-      touch.slack = std::max(0.0, -kinematics(touch.wall, touch.disc, particles).elongation);
+    for (Near& near : near_)
+      near.slack = polygons_.empty() ? std::max(0.0, -of_disc(near, particles, 0).gap)
+                                     : depth_of_cell(near, facets, particles);
 }
 
 double WallContacts::move(const protocol::Step& step) {
@@ -40,9 +43,15 @@ void WallContacts::stop() {
   for (State& s : states_) s.vx = s.vy = 0;
 }
 
+PlaneVector WallContacts::way(std::uint32_t wall, std::uint32_t disc, const Particles& p) const {
+  const State& s = states_[wall];
+  const MovingWall& w = walls_[wall];
+  return to_wall(w, p.x[disc] + p.ux[disc] - (w.x_1 + s.ux), p.y[disc] + p.uy[disc] - (w.y_1 + s.uy));
+}
+
 // They meet on the wall, which does not turn: all of the arm is the disc's.
-PairKinematics WallContacts::kinematics(std::uint32_t wall, std::uint32_t disc, const Particles& p,
-                                        double dt) const {
+Encounter WallContacts::of_disc(const Near& near, const Particles& p, double dt) const {
+  const auto [wall, disc] = std::pair(near.wall, near.disc);
   const MovingWall& w = walls_[wall];
   const State& s = states_[wall];
   const double x = p.x[disc] + p.ux[disc] - (w.x_1 + s.ux), y = p.y[disc] + p.uy[disc] - (w.y_1 + s.uy);
@@ -55,76 +64,134 @@ PairKinematics WallContacts::kinematics(std::uint32_t wall, std::uint32_t disc, 
   const double turn_per_way = distance > 0 && !is_beside_wall(w, x, y) ? 1 / distance : 0;
   const double vx = s.vx - p.vx[disc], vy = s.vy - p.vy[disc];
   const double stretch_rate = along(nx, ny, vx, vy), half = 0.5 * dt * stretch_rate;
-  const Arms arms{distance, 0};
-  const double slip_rate =
-      mid_step_slip_rate(across(nx, ny, vx, vy), half, half * turn_per_way, arms, 1, p.spin[disc], 0);
-  return {nx,           ny,        distance,     distance - radius_[disc], arms.first, arms.second,
-          stretch_rate, slip_rate, -p.spin[disc]};
+  const double slip_rate = mid_step_slip_rate(across(nx, ny, vx, vy), half, half * turn_per_way,
+                                              Arms{distance, 0}, 1, p.spin[disc], 0);
+  return {.nx = nx,
+          .ny = ny,
+          .gap = distance - p.radius[disc] + near.slack,
+          .arm_1 = {dx, dy},
+          .arm_2 = {0, 0},
+          .stretch_rate = stretch_rate,
+          .slip_rate = slip_rate};
+}
+
+// The wall as a cell sees it from its nucleus.
+struct WallContacts::Facing {
+  double nx, ny, distance;              // away from the cell; of the wall from the nucleus [m]
+  std::array<geometry::Point, 2> ends;  // the second one on the right, seen from the nucleus
+};
+
+WallContacts::Facing WallContacts::facing(const Near& near, const Particles& p) const {
+  const MovingWall& w = walls_[near.wall];
+  const State& s = states_[near.wall];
+  const double x = p.x[near.disc] + p.ux[near.disc], y = p.y[near.disc] + p.uy[near.disc];
+  geometry::Point a{w.x_1 + s.ux - x, w.y_1 + s.uy - y}, b{w.x_2 + s.ux - x, w.y_2 + s.uy - y};
+  if (a.x * b.y - a.y * b.x < 0) std::swap(a, b);
+  const double length = std::hypot(b.x - a.x, b.y - a.y), nx = (b.y - a.y) / length,
+               ny = -(b.x - a.x) / length;
+  return {nx, ny, a.x * nx + a.y * ny, {b, a}};
+}
+
+double WallContacts::depth(const Facing& wall, const std::vector<geometry::Point>& corners) {
+  double farthest = 0;
+  for (const geometry::Point& corner : corners)
+    farthest = std::max(farthest, corner.x * wall.nx + corner.y * wall.ny);
+  return farthest - wall.distance;
+}
+
+double WallContacts::depth_of_cell(const Near& near, const FacetSet& facets, const Particles& p) const {
+  std::vector<geometry::Point> corners;
+  polygons_.place(near.disc, {0, 0}, facets, corners);
+  return std::max(0.0, depth(facing(near, p), corners));
+}
+
+// Behind a wall pressure grows with depth, by k per length: the force is k a at the middle of the area a that
+// is there, and k a d is stored, d being the depth of this middle. A spring of the stiffness k a / 2 d stores
+// and bears the same if it is compressed by 2 d.
+std::optional<Encounter> WallContacts::of_cell(const Near& near, const FacetSet& facets,
+                                               const Particles& p) const {
+  thread_local OverlapWork work;
+  thread_local std::vector<geometry::Point> corners;
+  const std::uint32_t i = near.disc;
+  const Facing wall = facing(near, p);
+  polygons_.place(i, {0, 0}, facets, corners);
+  if (depth(wall, corners) <= near.slack) return std::nullopt;
+  const auto behind = [&](const geometry::Point& end, double depth) {
+    return geometry::Point{end.x + depth * wall.nx, end.y + depth * wall.ny};
+  };
+  const double far = 2 * polygons_.reach[i];
+  const auto& [left, right] = wall.ends;
+  const Overlap common = overlap_of(
+      corners,
+      std::array{behind(left, near.slack), behind(right, near.slack), behind(right, far), behind(left, far)},
+      work);
+  if (common.area == 0) return std::nullopt;
+  const State& s = states_[near.wall];
+  const double vx = s.vx - (p.vx[i] - p.spin[i] * common.middle_y),
+               vy = s.vy - (p.vy[i] + p.spin[i] * common.middle_x);
+  const double twice_deep =
+      2 * (common.middle_x * wall.nx + common.middle_y * wall.ny - wall.distance - near.slack);
+  return Encounter{.nx = wall.nx,
+                   .ny = wall.ny,
+                   .gap = -twice_deep,
+                   .arm_1 = {common.middle_x, common.middle_y},
+                   .arm_2 = {0, 0},
+                   .stretch_rate = along(wall.nx, wall.ny, vx, vy),
+                   .slip_rate = across(wall.nx, wall.ny, vx, vy),
+                   .stiffening = common.area / (twice_deep * polygons_.side[i])};
+}
+
+std::optional<Encounter> WallContacts::encounter(const Near& near, const FacetSet& facets, const Particles& p,
+                                                 double dt) const {
+  if (!polygons_.empty()) return of_cell(near, facets, p);
+  const Encounter of_disc = this->of_disc(near, p, dt);
+  return of_disc.gap < 0 ? std::optional(of_disc) : std::nullopt;
 }
 
 void WallContacts::list(const Particles& p) {
-  std::vector<Touch> fresh;
-  auto old = touches_.begin();
+  std::vector<Near> fresh;
+  auto old = near_.begin();
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
     for (std::uint32_t i = 0; i < p.size(); ++i) {
-      if (!p.is_there(i) || !(kinematics(w, i, p).elongation <= skin_)) continue;
-      while (old != touches_.end() && (old->wall < w || (old->wall == w && old->disc < i))) ++old;
-      const bool kept = old != touches_.end() && old->wall == w && old->disc == i;
-      fresh.push_back(kept ? *old : Touch{.wall = w, .disc = i});
+      const double reach = polygons_.empty() ? p.radius[i] : polygons_.reach[i];
+      const PlaneVector way = this->way(w, i, p);
+      if (!p.is_there(i) || !(std::hypot(way.x, way.y) - reach <= skin_)) continue;
+      while (old != near_.end() && (old->wall < w || (old->wall == w && old->disc < i))) ++old;
+      const bool kept = old != near_.end() && old->wall == w && old->disc == i;
+      fresh.push_back(kept ? *old : Near{.wall = w, .disc = i});
     }
-  touches_ = std::move(fresh);
+  near_ = std::move(fresh);
 }
 
-void WallContacts::add_forces(const protocol::Step& step, Particles& p) {
+void WallContacts::add_forces(const protocol::Step& step, const FacetSet& facets, Particles& p) {
   const double dt = step.from_rest() ? 0 : step.dt;
   for (State& s : states_) {
     work_ += dt / 2 * (s.fx * s.vx + s.fy * s.vy);
     s.fx = s.fy = 0;
   }
-  for (Touch& touch : touches_) {
-    const std::uint32_t i = touch.disc;
-    const PairKinematics pair = kinematics(touch.wall, i, p, dt);
-    const LinearContact& of_time = walls_[touch.wall].contact;
-    const ContactForces f = forces(step.relax ? without_dashpots(of_time) : of_time, pair, dt,
-                                   p.inverse_mass[i], p.inverse_inertia[i], touch);
-    const PlaneVector force = vector_of(pair.nx, pair.ny, f.normal, f.shear);
+  for (Near& near : near_) {
+    const std::uint32_t i = near.disc;
+    const std::optional<Encounter> meets = encounter(near, facets, p, dt);
+    if (!meets && near.touch.stiffness == 0) continue;
+    const Encounter now = meets.value_or(Encounter{});
+    const LinearContact& of_time = walls_[near.wall].contact;
+    const auto [f, loss] = advance(step.relax ? without_dashpots(of_time) : of_time, now,
+                                   {p.inverse_mass[i], p.inverse_inertia[i]}, dt, near.touch);
+    friction_ += loss.friction;
+    dashpots_ += loss.dashpots;
+    const PlaneVector force = vector_of(now.nx, now.ny, f.normal, f.shear);
     p.fx[i] += force.x;
     p.fy[i] += force.y;
-    p.moment[i] += f.shear * pair.arm_1;
-    states_[touch.wall].fx += force.x;
-    states_[touch.wall].fy += force.y;
+    p.moment[i] += now.arm_1.x * force.y - now.arm_1.y * force.x;
+    states_[near.wall].fx += force.x;
+    states_[near.wall].fy += force.y;
   }
   for (const State& s : states_) work_ += dt / 2 * (s.fx * s.vx + s.fy * s.vy);
 }
 
-ContactForces WallContacts::forces(const LinearContact& law, const PairKinematics& pair, double dt,
-                                   double inverse_mass, double inverse_inertia, Touch& touch) {
-  const double gap = pair.elongation + touch.slack, before = touch.shear;
-  ContactForces f{0, 0}, dashpots{0, 0};
-  touch.shear = 0;
-  if (gap < 0) {
-    const ContactSprings springs = contact_springs(law, gap, pair.slip_rate, dt, before);
-    f = with_dashpots(law, springs, true, inverse_mass,
-                      inverse_slip_mass(inverse_mass, {pair.arm_1, pair.arm_2}, inverse_inertia, 0),
-                      pair.stretch_rate, pair.slip_rate, dt);
-    dashpots = {f.normal - springs.normal, f.shear - springs.shear};
-    touch.shear = springs.shear;
-    if (law.shear_stiffness > 0)
-      friction_ += stiffness_times_friction_work(springs, before) / law.shear_stiffness;
-  }
-  dashpots_ += dashpot_work(dt, touch.dashpots, dashpots, pair.stretch_rate, pair.slip_rate);
-  touch.normal = f.normal;
-  touch.dashpots = dashpots;
-  return f;
-}
-
 double WallContacts::strain_energy() const {
   double sum = 0;
-  for (const Touch& touch : touches_) {
-    const LinearContact& law = walls_[touch.wall].contact;
-    sum += spring_energy(touch.normal - touch.dashpots.normal, law.normal_stiffness);
-    sum += spring_energy(touch.shear, law.shear_stiffness);
-  }
+  for (const Near& near : near_) sum += adit::dem::strain_energy(walls_[near.wall].contact, near.touch);
   return sum;
 }
 

@@ -1,13 +1,16 @@
-// Rigid straight walls that discs touch from either side, and at their ends: contacts of
-// laws/linear_contact.hpp with the nearest point of the wall. They move as they are told.
+// Rigid straight walls that particles touch from either side, and at their ends: discs with the nearest point
+// of the wall, cells as polygons (cells/cell_contacts.hpp) with what lies behind it. They move as they are
+// told.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "dem_server/laws/linear_contact.hpp"
-#include "dem_server/laws/pair_kinematics.hpp"
+#include "dem_server/engines/general/cells/cell_polygons.hpp"
+#include "dem_server/engines/general/cells/overlap.hpp"
+#include "dem_server/engines/general/forces/touch.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
@@ -18,16 +21,17 @@ namespace adit::dem {
 class WallContacts {
  public:
   WallContacts() = default;
-  // Overlaps at the start bear no force where `overlaps_free`.
-  WallContacts(std::vector<MovingWall> walls, std::span<const double> radius, const Particles& particles,
-               double skin, bool overlaps_free);
+  // Those that touch are cells where there are `polygons`. Overlaps at the start bear no force where
+  // `overlaps_free`.
+  WallContacts(std::vector<MovingWall> walls, const CellPolygons& polygons, const FacetSet& facets,
+               const Particles& particles, double skin, bool overlaps_free);
 
   // Moves them by a step. Returns how far the fastest went [m].
   double move(const protocol::Step& step);
-  // Lists anew which discs are near.
+  // Lists anew which particles are near.
   void list(const Particles& particles);
   // Adds the contacts' forces to the resultants, from velocities at n - 1/2, and accounts them.
-  void add_forces(const protocol::Step& step, Particles& particles);
+  void add_forces(const protocol::Step& step, const FacetSet& facets, Particles& particles);
   // After the forces: their velocities of n + 1/2.
   void drive(const protocol::Step& step);
   void stop();
@@ -48,31 +52,35 @@ class WallContacts {
   };
   Place travelled(std::size_t wall) const { return {states_[wall].ux, states_[wall].uy}; }
 
-  // A disc near a wall.
-  struct Touch {
+  // A particle near a wall.
+  struct Near {
     std::uint32_t wall, disc;
-    double slack = 0;              // the contact overlaps by -(gap + slack) [m]
-    double shear = 0;              // of the spring [N]
-    double normal = 0;             // of spring and dashpot [N]
-    ContactForces dashpots{0, 0};  // their share [N]
+    double slack = 0;  // depth behind the wall that bears nothing [m]
+    Touch touch{};
   };
-  std::span<const Touch> touches() const { return touches_; }  // by wall, then by disc
-  // A disc against the nearest point of a wall; the elongation is the gap, without slack.
-  PairKinematics kinematics(std::uint32_t wall, std::uint32_t disc, const Particles& particles,
-                            double dt = 0) const;
+  std::span<const Near> near() const { return near_; }  // by wall, then by particle
+  // A particle that presses on a wall, as its first body.
+  std::optional<Encounter> encounter(const Near& near, const FacetSet& facets, const Particles& particles,
+                                     double dt = 0) const;
 
   void exchange(state::Archive& archive) {
     archive("walls", std::span(states_));
-    archive("touches", touches_);
+    archive("touches", near_);
     archive("walls_sum_work", work_);
     archive("walls_sum_friction", friction_);
     archive("walls_sum_dashpots", dashpots_);
   }
 
  private:
-  // Forces on the disc of a touch, which takes them and what they store and dissipate.
-  ContactForces forces(const LinearContact& law, const PairKinematics& pair, double dt, double inverse_mass,
-                       double inverse_inertia, Touch& touch);
+  // From a particle's centre to the nearest point of a wall [m].
+  PlaneVector way(std::uint32_t wall, std::uint32_t disc, const Particles& particles) const;
+  Encounter of_disc(const Near& near, const Particles& particles, double dt) const;
+  struct Facing;
+  Facing facing(const Near& near, const Particles& particles) const;
+  static double depth(const Facing& wall, const std::vector<geometry::Point>& corners);
+  double depth_of_cell(const Near& near, const FacetSet& facets, const Particles& particles) const;
+  std::optional<Encounter> of_cell(const Near& near, const FacetSet& facets,
+                                   const Particles& particles) const;
 
   struct State {
     double ux = 0, uy = 0, vx = 0, vy = 0;  // travelled [m], velocity [m/s]
@@ -81,8 +89,8 @@ class WallContacts {
 
   std::vector<MovingWall> walls_;
   std::vector<State> states_;
-  std::vector<double> radius_;
-  std::vector<Touch> touches_;
+  CellPolygons polygons_;
+  std::vector<Near> near_;
   double skin_ = 0;
   double work_ = 0, friction_ = 0, dashpots_ = 0;
 };

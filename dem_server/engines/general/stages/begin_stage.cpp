@@ -38,6 +38,15 @@ void Solver::hold_what_vanishes(const ParticleStage& stage) {
     const auto [x, y, moment_1, moment_2] = facets_.action(k, particles_);
     hold({facets_.set().first[k], facets_.set().second[k], x, y, moment_1, moment_2}, stage);
   }
+  for (const CellContacts::Contact& contact : cells_.contacts())
+    if (const auto meets = cells_.encounter(contact, facets_.set(), particles_)) {
+      const double w = cells_.weight(contact, particles_);
+      const PlaneVector force =
+          vector_of(meets->nx, meets->ny, w * contact.touch.normal, w * contact.touch.shear);
+      const auto turning = [&force](const PlaneVector& arm) { return arm.x * force.y - arm.y * force.x; };
+      hold({contact.first, contact.second, force.x, force.y, turning(meets->arm_1), -turning(meets->arm_2)},
+           stage);
+    }
   for (const Joints::Joint& j : joints_.joints()) {
     const PlaneVector force = vector_of(j.nx, j.ny, j.weight * j.normal, j.weight * j.springs.shear);
     hold({j.first, j.second, force.x, force.y, 0, 0}, stage);
@@ -56,9 +65,11 @@ void Solver::begin_stage(std::uint32_t before, const ParticleStage& stage, const
   bond_of_pair_ = std::move(bonded.bond_of_pair);
   joints_.replace(std::move(bonded.joints));
   facets_.begin_stage(model, stage.fresh, particles_);
-  neighbours_.begin_stage(particles_, pairs_of(model.bonds), model.group, bonded.first_contact_law,
-                          stage.fresh);
-  neighbours_.part(facets_.parted());
+  if (cells_.empty())
+    neighbours_.begin_stage(particles_, pairs_of(model.bonds), model.group, bonded.first_contact_law,
+                            stage.fresh);
+  else
+    cells_.begin_stage(model, stage.fresh, facets_.set(), particles_);
   walls_.list(particles_);
   springs_.begin_stage(before, stage.number, particles_);
   bars_.begin_stage(before, stage.number, particles_);

@@ -115,9 +115,11 @@ INSTANTIATE_TEST_SUITE_P(Solids, UniformStrain,
                          testing::Values(Case{0, scene::PLANE_STRESS}, Case{0.2, scene::PLANE_STRESS},
                                          Case{0.3, scene::PLANE_STRAIN}, Case{0.45, scene::PLANE_STRAIN}));
 
-// The force on every cell is the gradient of the strain energy, whatever cells do: central differences of the
-// energy.
-TEST(FacetForces, AreTheGradientOfTheirEnergy) {
+// The force on every cell is the gradient of the strain energy, whatever cells do, and however far they move
+// and turn against each other: central differences of the energy.
+class FacetMotions : public testing::TestWithParam<double> {};  // over the size of the cells
+
+TEST_P(FacetMotions, GiveForcesThatAreTheGradientOfTheirEnergy) {
   auto scene = block_of_cells(0.5, 0.5, 0.1, 0.3, scene::PLANE_STRAIN);
   auto& soft = *scene.mutable_particles()->add_groups();
   soft.set_name("soft");
@@ -135,9 +137,9 @@ TEST(FacetForces, AreTheGradientOfTheirEnergy) {
   for (Bond& bond : model.bonds) bond.weight = 1 + random();
   Particles p = at_rest(model);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    p.ux[i] = 1e-6 * random();
-    p.uy[i] = 1e-6 * random();
-    p.spin[i] = 1e-5 * random();
+    p.ux[i] = 0.1 * GetParam() * random();
+    p.uy[i] = 0.1 * GetParam() * random();
+    p.spin[i] = GetParam() * random();
   }
   protocol::Team team;
   const auto energy = [&](const Particles& at, double dt) {
@@ -147,7 +149,7 @@ TEST(FacetForces, AreTheGradientOfTheirEnergy) {
     return std::pair(facets.strain_energy(copy), copy);
   };
   const Particles forces = energy(p, 1).second;
-  const double step = 1e-9;
+  const double step = 1e-4 * GetParam();
   double largest = 0;
   for (const double f : forces.fx) largest = std::max(largest, std::abs(f));
   for (const std::size_t i : {3u, 11u, 17u}) {
@@ -162,6 +164,8 @@ TEST(FacetForces, AreTheGradientOfTheirEnergy) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(NearAndFar, FacetMotions, testing::Values(1e-5, 1.0));
 
 // Layers of unlike stiffness under one stress across them bear it, each by its own strain: the growth of a
 // cell's area is that of its own solid.
