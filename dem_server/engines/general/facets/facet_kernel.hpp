@@ -33,7 +33,7 @@
 //
 // A facet of which one end at least has lost its strength, and whose faces have moved past each other by half
 // of its length, or apart at one end, has parted: it bears nothing any more, and its cells touch as polygons
-// do (cells/cell_contacts.hpp).
+// do (forces/cell_contacts.hpp).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Rigid straight walls that particles touch from either side, and at their ends: discs with the nearest point
-// of the wall, cells as polygons (cells/cell_contacts.hpp) with what lies behind it. They move as they are
+// of the wall, cells as polygons (forces/cell_contacts.hpp) with what lies behind it. They move as they are
 // told.
 #pragma once
 
@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/engines/general/cells/cell_polygons.hpp"
-#include "dem_server/engines/general/cells/overlap.hpp"
 #include "dem_server/engines/general/forces/touch.hpp"
+#include "dem_server/engines/general/polygons/cell_polygons.hpp"
+#include "dem_server/engines/general/polygons/overlap.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"

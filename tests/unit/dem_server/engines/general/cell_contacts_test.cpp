@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "dem_server/engines/general/cells/overlap.hpp"
+#include "dem_server/engines/general/polygons/overlap.hpp"
 #include "dem_server/engines/general/renumber.hpp"
 #include "dem_server/model/reading/read_model.hpp"
 #include "tests/unit/dem_server/discs_models.hpp"

@@ -1,4 +1,4 @@
-#include "dem_server/engines/general/cells/overlap.hpp"
+#include "dem_server/engines/general/polygons/overlap.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "dem_server/engines/general/cells/cell_contacts.hpp"
+#include "dem_server/engines/general/forces/cell_contacts.hpp"
 
 #include <algorithm>
 #include <array>

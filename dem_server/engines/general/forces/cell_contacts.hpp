@@ -1,11 +1,11 @@
 // Cells that touch others than those to which a facet joins them: pieces of a broken body that meet, as the
 // polygons that they are.
 //
-// The contact's normal spring stores k a^2 / 2 s^2, a being the common area (overlap.hpp), k the stiffness of
-// the contact and s the side of a regular hexagon as large as the cells: two sides of this length that press
-// on each other flatly are a spring k. In the terms of laws/linear_contact.hpp its gap is -a / b and its
-// stiffness k b^2 / s^2, b being the chord. Shear, friction and dashpots are that law's, at the place where
-// the normal force acts.
+// The contact's normal spring stores k a^2 / 2 s^2, a being the common area (polygons/overlap.hpp), k the
+// stiffness of the contact and s the side of a regular hexagon as large as the cells: two sides of this
+// length that press on each other flatly are a spring k. In the terms of laws/linear_contact.hpp its gap is
+// -a / b and its stiffness k b^2 / s^2, b being the chord. Shear, friction and dashpots are that law's, at
+// the place where the normal force acts.
 //
 // Only cells of which some side is free can touch: on the outside, or beside a facet that has cracked. They
 // are listed by pairs that are near each other, anew where one of them may have come so far that the list
@@ -17,10 +17,10 @@
 #include <span>
 #include <vector>
 
-#include "dem_server/engines/general/cells/cell_polygons.hpp"
-#include "dem_server/engines/general/cells/overlap.hpp"
 #include "dem_server/engines/general/facets/facet_set.hpp"
 #include "dem_server/engines/general/forces/touch.hpp"
+#include "dem_server/engines/general/polygons/cell_polygons.hpp"
+#include "dem_server/engines/general/polygons/overlap.hpp"
 #include "dem_server/laws/linear_contact.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"

@@ -1,4 +1,4 @@
-#include "dem_server/engines/general/cells/cell_polygons.hpp"
+#include "dem_server/engines/general/polygons/cell_polygons.hpp"
 
 #include <algorithm>
 #include <cmath>
