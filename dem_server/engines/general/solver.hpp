@@ -19,8 +19,8 @@
 
 #include "dem_server/engines/answers.hpp"
 #include "dem_server/engines/general/bars/bars.hpp"
-#include "dem_server/engines/general/forces/cell_contacts.hpp"
 #include "dem_server/engines/general/facets/facets.hpp"
+#include "dem_server/engines/general/forces/cell_contacts.hpp"
 #include "dem_server/engines/general/forces/damping.hpp"
 #include "dem_server/engines/general/forces/joints.hpp"
 #include "dem_server/engines/general/forces/spring_forces.hpp"
