@@ -44,6 +44,9 @@ void CellContacts::take_stage(const Model& model) {
   group_ = model.group;
   groups_ = model.groups();
   laws_ = model.contacts;
+  slides_.assign(group_.size(), false);
+  for (const Bond& bond : model.bonds)
+    if (bond.law == Bond::Law::kSmoothJoint) slides_[bond.first] = slides_[bond.second] = true;
 }
 
 void CellContacts::expose(const FacetSet& facets, const Particles& p) {
@@ -75,10 +78,11 @@ std::vector<bool> CellContacts::list(const FacetSet& facets, const Particles& p)
   for (const Pair& near : pairs_within(around, skin_)) {
     const Pair pair{exposed_[near.first], exposed_[near.second]};
     while (facet < facets.size() && std::tie(facets.first[facet], facets.second[facet]) < ends(pair)) ++facet;
-    if (facet < facets.size() && std::tie(facets.first[facet], facets.second[facet]) == ends(pair)) {
-      const WornFacet* worn = facets.worn_facet(facet);
-      if (!worn || !worn->parted) continue;
-    }
+    const bool meets =
+        facet < facets.size() && std::tie(facets.first[facet], facets.second[facet]) == ends(pair);
+    const WornFacet* worn = meets ? facets.worn_facet(facet) : nullptr;
+    const bool parted = worn != nullptr && worn->parted;
+    if (meets ? !parted : slides_[pair.first] && slides_[pair.second]) continue;
     while (old != contacts_.end() && ends(*old) < ends(pair)) ++old;
     kept.push_back(old != contacts_.end() && ends(*old) == ends(pair));
     fresh.push_back(kept.back() ? *old : Contact{.first = pair.first, .second = pair.second});

@@ -9,7 +9,8 @@
 //
 // Only cells of which some side is free can touch: on the outside, or beside a facet that has cracked. They
 // are listed by pairs that are near each other, anew where one of them may have come so far that the list
-// lacks a pair. What cells have in common as they are listed for the first time bears nothing.
+// lacks a pair. What cells have in common as they are listed for the first time bears nothing. Two cells that
+// slide along smooth joints are left to these, wherever they slide, unless a facet between them has parted.
 #pragma once
 
 #include <cstdint>
@@ -82,6 +83,7 @@ class CellContacts {
   std::vector<std::uint32_t> group_;
   std::uint32_t groups_ = 1;
   std::vector<LinearContact> laws_;     // of two groups each
+  std::vector<bool> slides_;            // of each cell: a smooth joint joins it to another
   std::vector<std::uint32_t> exposed_;  // cells of which some side was free as the list was made, ascending
   std::vector<Contact> contacts_;
   double skin_ = 0;   // [m]

@@ -201,6 +201,35 @@ TEST(CellContacts, KeepEnergyOnAWall) {
   }
 }
 
+// Cells slide along a smooth joint by more than their size, under pressure: what is theirs to bear there is
+// the joint's, so that none of them touch.
+TEST(CellContacts, LeaveSmoothJointsAlone) {
+  auto scene = test::empty_scene();
+  ASSERT_TRUE(google::protobuf::TextFormat::MergeFromString(R"(particles {
+    cells { x_min: 0 x_max: 1 y_min: 0 y_max: 0.6 size: 0.1 }
+    contacts { friction: 1 }
+    bonds {}
+    joints { from { x: 0 y: 0.3 } to { x: 1 y: 0.3 }
+             smooth { normal_stiffness: 1e10 shear_stiffness: 1e10 friction: 0.1 } }
+    motions { where { y_max: 0.1 } velocity { x: 0 y: 0 } }
+    motions { where { y_min: 0.5 } velocity { x: 10 y: -0.01 } }
+  })",
+                                                            &scene));
+  Model model = read_model(scene);
+  renumber(model);
+  const double dt = 0.5 * critical_step(model);
+  Solver solver(model, 1);
+  Loads none(model, solver.particles());
+  PrescribedMotions motions(model, solver.particles());
+  double pressed = 0;
+  for (std::uint64_t n = 1; static_cast<double>(n) * dt < 0.015; ++n) {
+    solver.step({n, dt}, none, motions);
+    for (const auto& contact : solver.cells().contacts()) ASSERT_EQ(contact.touch.stiffness, 0) << n;
+  }
+  for (const Joints::Joint& joint : solver.joints().joints()) pressed += joint.normal;
+  EXPECT_LT(pressed, -1e5);
+}
+
 // Loose cells that fall into a heap come to rest, lie beside each other and not in each other, and the ledger
 // closes.
 TEST(CellContacts, AHeapOfRubbleComesToRest) {
