@@ -14,7 +14,9 @@
 //   chi^2: a traction
 //     beyond that is scaled back by r, `whole` by r, and slip grows by (1 - r) tau / k. The wear grows by
 //     sqrt((d opening / w)^2 + (d slip / w)^2), the opening being D_n - sigma / k where it has never been
-//     larger;
+//     larger. `whole` is at least that of a point that was opened straight to this wear: else shear to and
+//     fro on a point that is hardly open would take all of its normal stiffness without wear, and no opening
+//     would wear it any more;
 //   closed:  sigma = k D_n, |tau| <= chi (f_t + (c - f_t) min(1, -sigma / f_t)) - sigma (mu_r + (mu - mu_r)
 //   chi); what slips
 //     beyond that wears by c / G, G = G_f + (G_II - G_f) min(1, -sigma / c).
@@ -96,7 +98,9 @@ inline FacetTraction open_traction(const FacetLaw& law, double k, double jump_n,
   const double opening = std::max(point.opening, jump_n - t.normal / k);
   point.wear += std::hypot((opening - point.opening) / width, slipped / width);
   point.opening = opening;
-  return t;
+  const double left = std::exp(-point.wear) * point.raised * law.tensile_strength / k;
+  point.whole = std::max(point.whole, left / (left + width * point.wear));
+  return {point.whole * k * jump_n, t.shear};
 }
 
 inline FacetTraction closed_traction(const FacetLaw& law, double k, double jump_n, double jump_t,

@@ -192,10 +192,11 @@ double Touching::over_facets(double dt) const {
   if (model_.cell_elasticity.empty()) return 1;
   std::vector<double> lightest(model_.groups(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < model_.mass.size(); ++i)
-    lightest[model_.group[i]] = std::min(lightest[model_.group[i]], model_.mass[i]);
+    if (model_.is_there(i)) lightest[model_.group[i]] = std::min(lightest[model_.group[i]], model_.mass[i]);
   double most = 1;
   for (std::uint32_t a = 0; a < model_.groups(); ++a)
     for (std::uint32_t b = a; b < model_.groups(); ++b) {
+      if (std::isinf(lightest[a]) || std::isinf(lightest[b])) continue;  // no cells
       const LinearContact contact =
           effective(model_.contacts[model_.contact_number(a, b)], 1 / lightest[a] + 1 / lightest[b], dt);
       const double of_facet =
@@ -366,7 +367,7 @@ CriticalElement critical_element(const Model& model) {
   Stiffest stiffest = touching.stiffest(touching.sums(kOfSprings), masses);
   const double of_statics = step_of(stiffest.squared + facets * touching.over_facets(kOfSprings));
   double step = of_statics;
-  if (stiffest.squared > 0 && any_dashpots(model)) {
+  if (stiffest.squared + facets > 0 && any_dashpots(model)) {
     step = with_dashpots(touching, masses, facets, step);
     stiffest = touching.stiffest(touching.sums(step), masses);
   }

@@ -203,6 +203,7 @@ void CellContacts::exchange(state::Archive& archive) {
   archive("exposed_cells", exposed_);
   archive("cell_contacts", contacts_);
   archive("cells_moved", moved_);
+  archive("cells_stale", stale_);
   archive("cell_lists", lists_);
   archive("cell_contacts_friction", friction_);
   archive("cell_contacts_dashpots", dashpots_);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dem_server/engines/general/polygons/depth.hpp"
 #include "dem_server/model/nearest_on_wall.hpp"
 
 namespace adit::dem {
@@ -17,7 +18,7 @@ WallContacts::WallContacts(std::vector<MovingWall> walls, const CellPolygons& po
   if (overlaps_free)
     for (Near& near : near_)
       near.slack = polygons_.empty() ? std::max(0.0, -of_disc(near, particles, 0).gap)
-                                     : depth_of_cell(near, facets, particles);
+                                     : depth_in_cell(near, facets, particles);
 }
 
 double WallContacts::move(const protocol::Step& step) {
@@ -75,70 +76,42 @@ Encounter WallContacts::of_disc(const Near& near, const Particles& p, double dt)
           .slip_rate = slip_rate};
 }
 
-// The wall as a cell sees it from its nucleus.
-struct WallContacts::Facing {
-  double nx, ny, distance;              // away from the cell; of the wall from the nucleus [m]
-  std::array<geometry::Point, 2> ends;  // the second one on the right, seen from the nucleus
-};
-
-WallContacts::Facing WallContacts::facing(const Near& near, const Particles& p) const {
+// Seen from the nucleus.
+std::array<geometry::Point, 2> WallContacts::ends(const Near& near, const Particles& p) const {
   const MovingWall& w = walls_[near.wall];
   const State& s = states_[near.wall];
   const double x = p.x[near.disc] + p.ux[near.disc], y = p.y[near.disc] + p.uy[near.disc];
-  geometry::Point a{w.x_1 + s.ux - x, w.y_1 + s.uy - y}, b{w.x_2 + s.ux - x, w.y_2 + s.uy - y};
-  if (a.x * b.y - a.y * b.x < 0) std::swap(a, b);
-  const double length = std::hypot(b.x - a.x, b.y - a.y), nx = (b.y - a.y) / length,
-               ny = -(b.x - a.x) / length;
-  return {nx, ny, a.x * nx + a.y * ny, {b, a}};
+  return {{{w.x_1 + s.ux - x, w.y_1 + s.uy - y}, {w.x_2 + s.ux - x, w.y_2 + s.uy - y}}};
 }
 
-double WallContacts::depth(const Facing& wall, const std::vector<geometry::Point>& corners) {
-  double farthest = 0;
-  for (const geometry::Point& corner : corners)
-    farthest = std::max(farthest, corner.x * wall.nx + corner.y * wall.ny);
-  return farthest - wall.distance;
-}
-
-double WallContacts::depth_of_cell(const Near& near, const FacetSet& facets, const Particles& p) const {
-  std::vector<geometry::Point> corners;
+double WallContacts::depth_in_cell(const Near& near, const FacetSet& facets, const Particles& p) const {
+  thread_local std::vector<geometry::Point> corners;
   polygons_.place(near.disc, {0, 0}, facets, corners);
-  return std::max(0.0, depth(facing(near, p), corners));
+  const auto [from, to] = ends(near, p);
+  return largest_depth(from, to, corners);
 }
 
-// Behind a wall pressure grows with depth, by k per length: the force is k a at the middle of the area a that
-// is there, and k a d is stored, d being the depth of this middle. A spring of the stiffness k a / 2 d stores
-// and bears the same if it is compressed by 2 d.
+// With the law's stiffness over the side of a regular hexagon per length of the wall, the force is k times
+// what pushes, and k times what is stored is stored. A spring bears and stores the same that has the
+// stiffness force^2 / 2 energy.
 std::optional<Encounter> WallContacts::of_cell(const Near& near, const FacetSet& facets,
                                                const Particles& p) const {
-  thread_local OverlapWork work;
   thread_local std::vector<geometry::Point> corners;
   const std::uint32_t i = near.disc;
-  const Facing wall = facing(near, p);
   polygons_.place(i, {0, 0}, facets, corners);
-  if (depth(wall, corners) <= near.slack) return std::nullopt;
-  const auto behind = [&](const geometry::Point& end, double depth) {
-    return geometry::Point{end.x + depth * wall.nx, end.y + depth * wall.ny};
-  };
-  const double far = 2 * polygons_.reach[i];
-  const auto& [left, right] = wall.ends;
-  const Overlap common = overlap_of(
-      corners,
-      std::array{behind(left, near.slack), behind(right, near.slack), behind(right, far), behind(left, far)},
-      work);
-  if (common.area == 0) return std::nullopt;
+  const auto [from, to] = ends(near, p);
+  const Depth depth = depth_of(from, to, corners, near.slack);
+  if (depth.stored == 0) return std::nullopt;
   const State& s = states_[near.wall];
-  const double vx = s.vx - (p.vx[i] - p.spin[i] * common.middle_y),
-               vy = s.vy - (p.vy[i] + p.spin[i] * common.middle_x);
-  const double twice_deep =
-      2 * (common.middle_x * wall.nx + common.middle_y * wall.ny - wall.distance - near.slack);
-  return Encounter{.nx = wall.nx,
-                   .ny = wall.ny,
-                   .gap = -twice_deep,
-                   .arm_1 = {common.middle_x, common.middle_y},
+  const double vx = s.vx - (p.vx[i] - p.spin[i] * depth.y), vy = s.vy - (p.vy[i] + p.spin[i] * depth.x);
+  return Encounter{.nx = depth.nx,
+                   .ny = depth.ny,
+                   .gap = -2 * depth.stored / depth.pushing,
+                   .arm_1 = {depth.x, depth.y},
                    .arm_2 = {0, 0},
-                   .stretch_rate = along(wall.nx, wall.ny, vx, vy),
-                   .slip_rate = across(wall.nx, wall.ny, vx, vy),
-                   .stiffening = common.area / (twice_deep * polygons_.side[i])};
+                   .stretch_rate = along(depth.nx, depth.ny, vx, vy),
+                   .slip_rate = across(depth.nx, depth.ny, vx, vy),
+                   .stiffening = depth.pushing * depth.pushing / (2 * depth.stored * polygons_.side[i])};
 }
 
 std::optional<Encounter> WallContacts::encounter(const Near& near, const FacetSet& facets, const Particles& p,
@@ -171,6 +144,8 @@ void WallContacts::add_forces(const protocol::Step& step, const FacetSet& facets
   }
   for (Near& near : near_) {
     const std::uint32_t i = near.disc;
+    if (!polygons_.empty() && near.slack > 0)
+      near.slack = std::min(near.slack, depth_in_cell(near, facets, p));
     const std::optional<Encounter> meets = encounter(near, facets, p, dt);
     if (!meets && near.touch.stiffness == 0) continue;
     const Encounter now = meets.value_or(Encounter{});

@@ -1,8 +1,9 @@
 // Rigid straight walls that particles touch from either side, and at their ends: discs with the nearest point
-// of the wall, cells as polygons (forces/cell_contacts.hpp) with what lies behind it. They move as they are
+// of the wall, cells as polygons in which it lies (polygons/depth.hpp). They move as they are
 // told.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,7 +11,6 @@
 
 #include "dem_server/engines/general/forces/touch.hpp"
 #include "dem_server/engines/general/polygons/cell_polygons.hpp"
-#include "dem_server/engines/general/polygons/overlap.hpp"
 #include "dem_server/model/model.hpp"
 #include "dem_server/particles/particles.hpp"
 #include "protocol/participant/step.hpp"
@@ -55,7 +55,7 @@ class WallContacts {
   // A particle near a wall.
   struct Near {
     std::uint32_t wall, disc;
-    double slack = 0;  // depth behind the wall that bears nothing [m]
+    double slack = 0;  // depth that bears nothing [m]
     Touch touch{};
   };
   std::span<const Near> near() const { return near_; }  // by wall, then by particle
@@ -75,10 +75,8 @@ class WallContacts {
   // From a particle's centre to the nearest point of a wall [m].
   PlaneVector way(std::uint32_t wall, std::uint32_t disc, const Particles& particles) const;
   Encounter of_disc(const Near& near, const Particles& particles, double dt) const;
-  struct Facing;
-  Facing facing(const Near& near, const Particles& particles) const;
-  static double depth(const Facing& wall, const std::vector<geometry::Point>& corners);
-  double depth_of_cell(const Near& near, const FacetSet& facets, const Particles& particles) const;
+  std::array<geometry::Point, 2> ends(const Near& near, const Particles& particles) const;
+  double depth_in_cell(const Near& near, const FacetSet& facets, const Particles& particles) const;
   std::optional<Encounter> of_cell(const Near& near, const FacetSet& facets,
                                    const Particles& particles) const;
 

@@ -293,6 +293,30 @@ TEST(FacetLaw, TakesMoreEnergyByAsMuchAsItIsStronger) {
   EXPECT_NEAR(work, kRaised * law.opening_energy, 5e-3 * work);
 }
 
+// Shear to and fro on a point that is hardly open does not spare it the fracture energy: opened afterwards,
+// it still wears out.
+TEST(FacetLaw, WearsByOpeningAfterShearToAndFro) {
+  const FacetLaw law{.tensile_strength = 3e6,
+                     .cohesion = 15e6,
+                     .friction = 0.3,
+                     .opening_energy = 100,
+                     .shearing_energy = 300};
+  constexpr double kSpring = 1e13, kOpens = 1e-9, kShears = 4e-7;
+  FacetPoint point;
+  for (int n = 0; n < 20; ++n) facet_traction(law, kSpring, kOpens, n % 2 == 0 ? kShears : -kShears, point);
+  const double worn = point.wear;
+  EXPECT_LT(worn, kCracked);
+  double work = 0, before = 0;
+  constexpr double kWidth = 1e-3, kSteps = 1e5;
+  for (double n = 1; n <= kSteps; ++n) {
+    const double now = facet_traction(law, kSpring, n / kSteps * kWidth, 0, point).normal;
+    work += (before + now) / 2 * kWidth / kSteps;
+    before = now;
+  }
+  EXPECT_GT(point.wear, kCracked);
+  EXPECT_GT(work, 0.9 * std::exp(-worn) * law.opening_energy);
+}
+
 // Forces of every law, computed once apart from this code, to 1e-12: a change of any of them must be meant.
 TEST(Laws, GiveTheStoredForces) {
   const Body a{0.01, -0.02, 0.3, -0.2, 1.5, 0.1, 0.5, 120}, b{0.17, 0.06, -0.1, 0.4, -0.7, 0.09, 0.8, 300};
