@@ -59,8 +59,8 @@ void for_each_piece(const std::vector<Side>& sides, double free, const See& see)
     for (const Side& side : sides) {
       if (!(side.growth < nearest->growth)) continue;
       const double meets = (side.at_begin - nearest->at_begin) / (nearest->growth - side.growth);
-      if (meets >= until || meets < share) continue;
-      until = meets;
+      if (meets >= until) continue;
+      until = std::max(meets, share);  // where several are as near, by rounding another one came first
       next = &side;
     }
     if (until > share) see(Piece{share, until, nearest});
@@ -82,6 +82,7 @@ Depth depth_of(const geometry::Point& a, const geometry::Point& b, std::span<con
     const Side& side = *piece.nearest;
     const double d = side.at(piece.begin) - free, e = side.at(piece.end) - free,
                  way = length * (piece.end - piece.begin);
+    if (!(d + e > 0)) return;  // along a side
     const double depth = way * (d + e) / 2;
     // The place in the piece about which d balances.
     const double share = piece.begin + (piece.end - piece.begin) * (d + 2 * e) / (3 * (d + e));

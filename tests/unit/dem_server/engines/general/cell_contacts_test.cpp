@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dem_server/engines/general/polygons/depth.hpp"
 #include "dem_server/engines/general/polygons/overlap.hpp"
 #include "dem_server/engines/general/renumber.hpp"
 #include "dem_server/model/reading/read_model.hpp"
@@ -52,6 +53,35 @@ Model two_cells(const std::array<Polygon, 2>& outlines, double x, double y, cons
   model.cell_elasticity = {{1e9, 0}};
   model.mass = {test::kSolidDensity, test::kSolidDensity};
   return model;
+}
+
+// Of a wall that lies along a side, through a corner, outside, and with its end in a square of the side 1.
+TEST(Depth, OfAWallInASquare) {
+  const Polygon square = rectangle(0, 0, 1, 1);
+  EXPECT_EQ(depth_of({-1, 0}, {2, 0}, square, 0).stored, 0);
+  EXPECT_EQ(depth_of({-1, 1}, {1, -1}, square, 0).stored, 0);
+  EXPECT_EQ(depth_of({-1, -0.1}, {2, -0.1}, square, 0).stored, 0);
+  const Depth end = depth_of({0.5, -1}, {0.5, 0.1}, square, 0);
+  EXPECT_NEAR(end.stored, 0.1 * 0.1 * 0.1 / 6, 1e-15);
+  EXPECT_NEAR(end.pushing, 0.1 * 0.1 / 2, 1e-15);
+  EXPECT_NEAR(end.ny, -1, 1e-15);
+  const Depth flat = depth_of({-1, 0.1}, {2, 0.1}, square, 0.05);
+  EXPECT_NEAR(flat.pushing, 0.05 * (1 - 2 * 0.1), 1e-15)
+      << "between the corners, where other sides are nearer";
+  EXPECT_NEAR(flat.x, 0.5, 1e-15);
+  EXPECT_NEAR(largest_depth({-1, 0.1}, {2, 0.1}, square), 0.1, 1e-15);
+}
+
+// However shallow it lies, turned or not, all that a wall stores is what a side as long as the chord stores.
+TEST(Depth, IsNowhereMoreThanBelowTheChord) {
+  std::mt19937 generator(11);
+  for (int k = 0; k < 20000; ++k) {
+    const double turn = 1e-9 * static_cast<double>(generator() % 1000),
+                 deep = 1e-12 * static_cast<double>(generator() % 100000);
+    const Polygon square = moved(rectangle(-0.5, 0, 1, 1), 0.1, 0, turn);
+    const double deepest = deep + std::sin(turn);
+    EXPECT_LE(depth_of({-9, deep}, {9, deep}, square, 0).stored, 0.5 * deepest * deepest * (1 + 1e-6)) << k;
+  }
 }
 
 // A square of the side 1 above a wall on which it lies.
