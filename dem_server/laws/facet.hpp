@@ -14,9 +14,7 @@
 //   chi^2: a traction
 //     beyond that is scaled back by r, `whole` by r, and slip grows by (1 - r) tau / k. The wear grows by
 //     sqrt((d opening / w)^2 + (d slip / w)^2), the opening being D_n - sigma / k where it has never been
-//     larger. `whole` is at least that of a point that was opened straight to this wear: else shear to and
-//     fro on a point that is hardly open would take all of its normal stiffness without wear, and no opening
-//     would wear it any more;
+//     larger. Within the strength, too, opening wears a point whose normal stiffness shear has taken before;
 //   closed:  sigma = k D_n, |tau| <= chi (f_t + (c - f_t) min(1, -sigma / f_t)) - sigma (mu_r + (mu - mu_r)
 //   chi); what slips
 //     beyond that wears by c / G, G = G_f + (G_II - G_f) min(1, -sigma / c).
@@ -88,19 +86,20 @@ inline FacetTraction open_traction(const FacetLaw& law, double k, double jump_n,
                                    FacetPoint& point) {
   FacetTraction t{point.whole * k * jump_n, k * (jump_t - point.slip)};
   const double chi = std::exp(-point.wear),
-               size = std::hypot(t.normal, t.shear) / (point.raised * law.tensile_strength);
-  if (size <= chi) return t;
-  const double r = chi / size, width = law.opening_energy / law.tensile_strength;
-  const double slipped = (1 - r) * t.shear / k;
-  t = {r * t.normal, r * t.shear};
-  point.whole *= r;
-  point.slip += slipped;
+               size = std::hypot(t.normal, t.shear) / (point.raised * law.tensile_strength),
+               width = law.opening_energy / law.tensile_strength;
+  double slipped = 0;
+  if (size > chi) {
+    const double r = chi / size;
+    slipped = (1 - r) * t.shear / k;
+    t = {r * t.normal, r * t.shear};
+    point.whole *= r;
+    point.slip += slipped;
+  }
   const double opening = std::max(point.opening, jump_n - t.normal / k);
   point.wear += std::hypot((opening - point.opening) / width, slipped / width);
   point.opening = opening;
-  const double left = std::exp(-point.wear) * point.raised * law.tensile_strength / k;
-  point.whole = std::max(point.whole, left / (left + width * point.wear));
-  return {point.whole * k * jump_n, t.shear};
+  return t;
 }
 
 inline FacetTraction closed_traction(const FacetLaw& law, double k, double jump_n, double jump_t,

@@ -14,14 +14,15 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-// Those of one body: the largest of those that hold at least half as many as the one that holds most; of
-// several as large all, so that numbers decide nothing.
+// Those of one body: the largest of those that hold two particles and at least half as many as the one that
+// holds most; of several as large all, so that numbers decide nothing.
 Face holding_together(const Face& face, const Bodies& bodies) {
   std::map<std::uint32_t, Face> parts;
   for (const std::uint32_t i : face) parts[bodies.number[i]].push_back(i);
   std::size_t most = 0;
   for (const auto& [body, part] : parts) most = std::max(most, part.size());
-  std::erase_if(parts, [most](const auto& part) { return 2 * part.second.size() < most; });
+  std::erase_if(parts,
+                [most](const auto& part) { return part.second.size() < 2 || 2 * part.second.size() < most; });
   std::uint32_t largest = 0;
   for (const auto& [body, part] : parts) largest = std::max(largest, bodies.size[body]);
   Face together;
