@@ -89,6 +89,7 @@ inline FacetTraction open_traction(const FacetLaw& law, double k, double jump_n,
                size = std::hypot(t.normal, t.shear) / (point.raised * law.tensile_strength),
                width = law.opening_energy / law.tensile_strength;
   double slipped = 0;
+  if (size <= chi && point.whole == 1) return t;  // rounding opens nothing
   if (size > chi) {
     const double r = chi / size;
     slipped = (1 - r) * t.shear / k;
