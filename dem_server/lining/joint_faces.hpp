@@ -10,7 +10,8 @@
 //
 // What falls off must not decide, grains or a whole corner, nor a grain that rolls on a single bond, nor one
 // of the ground at the joint's end: of a face the particles of one body count, the largest of those that hold
-// at least half as many of the face as the one that holds most. Where several are as large, all of them count.
+// at least half as many of the face as the one that holds most. Where several are as large, all of them
+// count.
 #pragma once
 
 #include <cstdint>
