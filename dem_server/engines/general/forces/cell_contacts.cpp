@@ -184,10 +184,10 @@ void CellContacts::add_forces(const protocol::Step& step, const FacetSet& facets
     const PlaneVector force = vector_of(now.nx, now.ny, w * f.normal, w * f.shear);
     p.fx[i] += force.x;
     p.fy[i] += force.y;
-    p.moment[i] += now.arm_1.x * force.y - now.arm_1.y * force.x;
+    p.moment[i] += across(now.arm_1.x, now.arm_1.y, force.x, force.y);
     p.fx[j] -= force.x;
     p.fy[j] -= force.y;
-    p.moment[j] -= now.arm_2.x * force.y - now.arm_2.y * force.x;
+    p.moment[j] -= across(now.arm_2.x, now.arm_2.y, force.x, force.y);
   }
 }
 

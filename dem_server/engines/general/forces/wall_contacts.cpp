@@ -44,10 +44,10 @@ void WallContacts::stop() {
   for (State& s : states_) s.vx = s.vy = 0;
 }
 
-PlaneVector WallContacts::way(std::uint32_t wall, std::uint32_t disc, const Particles& p) const {
-  const State& s = states_[wall];
+PlaneVector WallContacts::place(std::uint32_t wall, std::uint32_t disc, const Particles& p) const {
   const MovingWall& w = walls_[wall];
-  return to_wall(w, p.x[disc] + p.ux[disc] - (w.x_1 + s.ux), p.y[disc] + p.uy[disc] - (w.y_1 + s.uy));
+  const State& s = states_[wall];
+  return {p.x[disc] + p.ux[disc] - (w.x_1 + s.ux), p.y[disc] + p.uy[disc] - (w.y_1 + s.uy)};
 }
 
 // They meet on the wall, which does not turn: all of the arm is the disc's.
@@ -55,7 +55,7 @@ Encounter WallContacts::of_disc(const Near& near, const Particles& p, double dt)
   const auto [wall, disc] = std::pair(near.wall, near.disc);
   const MovingWall& w = walls_[wall];
   const State& s = states_[wall];
-  const double x = p.x[disc] + p.ux[disc] - (w.x_1 + s.ux), y = p.y[disc] + p.uy[disc] - (w.y_1 + s.uy);
+  const auto [x, y] = place(wall, disc, p);
   const auto [dx, dy] = to_wall(w, x, y);
   const double along_x = w.x_2 - w.x_1, along_y = w.y_2 - w.y_1;
   const double distance = std::hypot(dx, dy), length = std::sqrt(along_x * along_x + along_y * along_y);
@@ -127,7 +127,7 @@ void WallContacts::list(const Particles& p) {
   for (std::uint32_t w = 0; w < walls_.size(); ++w)
     for (std::uint32_t i = 0; i < p.size(); ++i) {
       const double reach = polygons_.empty() ? p.radius[i] : polygons_.reach[i];
-      const PlaneVector way = this->way(w, i, p);
+      const PlaneVector at = place(w, i, p), way = to_wall(walls_[w], at.x, at.y);
       if (!p.is_there(i) || !(std::hypot(way.x, way.y) - reach <= skin_)) continue;
       while (old != near_.end() && (old->wall < w || (old->wall == w && old->disc < i))) ++old;
       const bool kept = old != near_.end() && old->wall == w && old->disc == i;
@@ -157,7 +157,7 @@ void WallContacts::add_forces(const protocol::Step& step, const FacetSet& facets
     const PlaneVector force = vector_of(now.nx, now.ny, f.normal, f.shear);
     p.fx[i] += force.x;
     p.fy[i] += force.y;
-    p.moment[i] += now.arm_1.x * force.y - now.arm_1.y * force.x;
+    p.moment[i] += across(now.arm_1.x, now.arm_1.y, force.x, force.y);
     states_[near.wall].fx += force.x;
     states_[near.wall].fy += force.y;
   }

@@ -72,8 +72,8 @@ class WallContacts {
   }
 
  private:
-  // From a particle's centre to the nearest point of a wall [m].
-  PlaneVector way(std::uint32_t wall, std::uint32_t disc, const Particles& particles) const;
+  // Of a particle's centre, from a wall's first end [m].
+  PlaneVector place(std::uint32_t wall, std::uint32_t disc, const Particles& particles) const;
   Encounter of_disc(const Near& near, const Particles& particles, double dt) const;
   std::array<geometry::Point, 2> ends(const Near& near, const Particles& particles) const;
   double depth_in_cell(const Near& near, const FacetSet& facets, const Particles& particles) const;

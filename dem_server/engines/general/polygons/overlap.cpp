@@ -11,13 +11,9 @@ namespace {
 
 using Corner = OverlapWork::Corner;
 
-double cross(double ax, double ay, double bx, double by) {
-  return ax * by - ay * bx;
-}
-
 // What lies to the left of the way from a to b (Sutherland & Hodgman 1974, Commun. ACM 17, 32).
 void cut(const geometry::Point& a, const geometry::Point& b, OverlapWork& work) {
-  const auto left = [&](const Corner& c) { return cross(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y); };
+  const auto left = [&](const Corner& c) { return across(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y); };
   work.next.clear();
   const std::size_t size = work.now.size();
   double here = size > 0 ? left(work.now.front()) : 0;
@@ -52,19 +48,19 @@ Overlap overlap_of(std::span<const geometry::Point> first, std::span<const geome
   for (std::size_t k = 0; k < work.now.size(); ++k) {
     const Corner &one = work.now[k], &other = work.now[k + 1 < work.now.size() ? k + 1 : 0];
     const double ax = one.x - x_0, ay = one.y - y_0, bx = other.x - x_0, by = other.y - y_0;
-    const double doubled = cross(ax, ay, bx, by);
+    const double doubled = across(ax, ay, bx, by);
     twice_area += doubled;
     moment_x += doubled * (ax + bx);
     moment_y += doubled * (ay + by);
     if (!one.of_first) continue;
     sx += by - ay;
     sy -= bx - ax;
-    turning += cross((ax + bx) / 2, (ay + by) / 2, by - ay, -(bx - ax));
+    turning += across((ax + bx) / 2, (ay + by) / 2, by - ay, -(bx - ax));
   }
   const double chord = std::hypot(sx, sy);
   if (!(twice_area > 0) || chord == 0) return {};
   const double x = moment_x / (3 * twice_area), y = moment_y / (3 * twice_area);
-  const double off = (cross(x, y, sx, sy) - turning) / (chord * chord);
+  const double off = (across(x, y, sx, sy) - turning) / (chord * chord);
   return {.area = twice_area / 2,
           .nx = sx / chord,
           .ny = sy / chord,

@@ -43,7 +43,9 @@ void Solver::hold_what_vanishes(const ParticleStage& stage) {
       const double w = cells_.weight(contact, particles_);
       const PlaneVector force =
           vector_of(meets->nx, meets->ny, w * contact.touch.normal, w * contact.touch.shear);
-      const auto turning = [&force](const PlaneVector& arm) { return arm.x * force.y - arm.y * force.x; };
+      const auto turning = [&force](const PlaneVector& arm) {
+        return across(arm.x, arm.y, force.x, force.y);
+      };
       hold({contact.first, contact.second, force.x, force.y, turning(meets->arm_1), -turning(meets->arm_2)},
            stage);
     }
