@@ -15,9 +15,18 @@
 //     beyond that is scaled back by r, `whole` by r, and slip grows by (1 - r) tau / k. The wear grows by
 //     sqrt((d opening / w)^2 + (d slip / w)^2), the opening being D_n - sigma / k where it has never been
 //     larger. Within the strength, too, opening wears a point whose normal stiffness shear has taken before;
-//   closed:  sigma = k D_n, |tau| <= chi (f_t + (c - f_t) min(1, -sigma / f_t)) - sigma (mu_r + (mu - mu_r)
-//   chi); what slips
-//     beyond that wears by c / G, G = G_f + (G_II - G_f) min(1, -sigma / c).
+//   closed:  sigma = k (D_n + closing), |tau| <= chi (f_t + (c - f_t) min(1, -2 sigma / f_t)) - sigma (mu_r +
+//     (mu - mu_r) chi); what slips beyond that wears by c / G, G = G_f + (G_II - G_f) q, q = min(1, -sigma /
+//     c), and adds psi q times as much to `closing`, up to psi |slip|. Where D_n + closing > 0 the point is
+//     open, and this sum takes the place of D_n above.
+// The cohesion is whole from a pressure of f_t / 2 on. In a body under uniaxial compression f_c, facets at a
+// small angle a to it have the shear stress f_c a and the pressure f_c a^2 only; they use at most
+// sqrt(f_c / (8 (c - f_t))) of their strength, 0.6 of it. With f_t instead of f_t / 2 it was 0.85, and a
+// pressure that was uneven by a thousandth of f_c broke rock at 0.8 f_c.
+// psi: the sides of irregular cells are inclined to a crack, those of regular hexagons by up to 30 degrees.
+// Cells that slid along it under pressure would ride up on each other, so that the pressure would strengthen
+// the crack, and the more so the more cells it passes. Instead their faces close by psi = tan 30 degrees, as
+// if corners were crushed. Facets along a line of the scene lie straight, and have psi = 0.
 // f_t and c are those at the rate with which the point is strained as it reaches its strength: (rate / 1e-6
 // per second)^e times those of slow tests (fib Model Code 2010, 5.1.11.2), w as it is. The rate at which
 // concrete is stronger by far, beyond 10 per second, is left to inertia, which cells have (Ozbolt et al.
@@ -42,10 +51,15 @@ struct FacetLaw {
   double opening_energy, shearing_energy;  // G_f, G_II [J/m^2]
   bool joined = true;                      // else its cells only touch there, from the beginning
   double rate_exponent = 0;                // e
+  double contraction = 0;                  // psi
   bool breaks() const { return joined && tensile_strength < kUnbroken; }
   bool operator==(const FacetLaw&) const = default;
 };
 
+// Of f_t: the pressure from which on the cohesion is whole.
+inline constexpr double kFullCohesion = 0.5;
+// psi of facets within a packing.
+inline constexpr double kContraction = 0.57735026918962576;  // tan 30 degrees
 // Where a point of a facet lies, as a share of its length from its middle.
 inline constexpr double kFacetPoint = 0.28867513459481287;  // 1 / (2 sqrt 3)
 // Wear by which a facet counts as cracked: a twentieth of its strength is left.
@@ -58,6 +72,7 @@ struct FacetTraction {
 // One point that has been beyond its strength.
 struct FacetPoint {
   double whole = 1, slip = 0, opening = 0, wear = 0;  // [m]
+  double closing = 0;                                 // [m]
   double raised = 1;                                  // f_t and c over those of slow tests
 };
 
@@ -70,7 +85,7 @@ inline double raised_by(const FacetLaw& law, double rate) {
 
 // The largest shear stress under the compression `pressure` [Pa].
 inline double shear_limit(const FacetLaw& law, double chi, double pressure, double raised = 1) {
-  const double closed = std::min(1.0, pressure / (raised * law.tensile_strength));
+  const double closed = std::min(1.0, pressure / (kFullCohesion * raised * law.tensile_strength));
   return chi * raised * (law.tensile_strength + (law.cohesion - law.tensile_strength) * closed) +
          pressure * (law.residual_friction + (law.friction - law.residual_friction) * chi);
 }
@@ -109,10 +124,11 @@ inline FacetTraction closed_traction(const FacetLaw& law, double k, double jump_
   const double limit = shear_limit(law, std::exp(-point.wear), -t.normal, point.raised),
                beyond = std::abs(t.shear) - limit;
   if (beyond <= 0) return t;
-  const double slipped = beyond / k;
-  const double energy = law.opening_energy +
-                        (law.shearing_energy - law.opening_energy) * std::min(1.0, -t.normal / law.cohesion);
+  const double slipped = beyond / k, pressed = std::min(1.0, -t.normal / law.cohesion);
+  const double energy = law.opening_energy + (law.shearing_energy - law.opening_energy) * pressed;
   point.slip += std::copysign(slipped, t.shear);
+  point.closing = std::max(point.closing, std::min(point.closing + law.contraction * pressed * slipped,
+                                                   law.contraction * std::abs(point.slip)));
   point.wear += slipped * law.cohesion / energy;
   t.shear = std::copysign(limit, t.shear);
   return t;
@@ -120,8 +136,8 @@ inline FacetTraction closed_traction(const FacetLaw& law, double k, double jump_
 
 inline FacetTraction facet_traction(const FacetLaw& law, double k, double jump_n, double jump_t,
                                     FacetPoint& point) {
-  return jump_n > 0 ? open_traction(law, k, jump_n, jump_t, point)
-                    : closed_traction(law, k, jump_n, jump_t, point);
+  const double gap = jump_n + point.closing;
+  return gap > 0 ? open_traction(law, k, gap, jump_t, point) : closed_traction(law, k, gap, jump_t, point);
 }
 
 }  // namespace adit::dem

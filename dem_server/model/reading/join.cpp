@@ -69,7 +69,9 @@ class BondTypes {
     const GroupPair pair = ordered(first, second);
     const auto [found, is_new] = numbers_.try_emplace({barrier, pair}, kNothing);
     if (is_new)
-      if (const auto type = read(barrier, pair)) {
+      if (auto type = read(barrier, pair)) {
+        auto* facet = std::get_if<FacetType>(&type->law);
+        if (facet && barrier == kNothing && pair.first == pair.second) facet->law.contraction = kContraction;
         found->second = static_cast<int>(types_.size());
         types_.push_back(*type);
       }

@@ -146,15 +146,16 @@ inline constexpr double kBeyond = 1 + 1e-12;  // rounding of a traction that was
 
 // The strengths of a law as the loop below asks for them.
 struct Strengths {
-  double tensile, inverse_tensile, cohesion_beyond, friction;  // c - f_t
+  double tensile, inverse_closing, cohesion_beyond, friction;  // 1 / (kFullCohesion f_t), c - f_t
 };
 [[gnu::always_inline]] inline Strengths strengths_of(const FacetLaw& law) {
-  return {law.tensile_strength, 1 / law.tensile_strength, law.cohesion - law.tensile_strength, law.friction};
+  return {law.tensile_strength, 1 / (kFullCohesion * law.tensile_strength),
+          law.cohesion - law.tensile_strength, law.friction};
 }
 
 // Whether a point that was never beyond its strength is now (laws/facet.hpp with chi = 1).
 [[gnu::always_inline]] inline bool exceeds(const Strengths& law, double sigma, double shear) {
-  const double pressure = -sigma, closed = std::min(1.0, pressure * law.inverse_tensile);
+  const double pressure = -sigma, closed = std::min(1.0, pressure * law.inverse_closing);
   const double limit = law.tensile + law.cohesion_beyond * closed + pressure * law.friction;
   const bool open = sigma > 0;
   const double found = open ? sigma * sigma + shear * shear : shear;
@@ -247,15 +248,19 @@ bool has_opened(const WornFacet& worn) {
 // A step of one that is worn; the result is told of it.
 void wear(const WornStep& step, double pressure_1, double pressure_2, const FacetSet& set, WornFacet& worn,
           FacetResult& result) {
-  const double before = worn.released();
+  const double released = worn.released();
   step.add(pressure_1, pressure_2, worn);
   if (step.parts(worn)) {
     worn.parted = true;
     result.any_parted = true;
   }
+  // 2 E = S (C + s M)^-1 S for the cells' sums S, whose pressures are p = (C + s M)^-1 S: a change of s takes
+  // half of p_before M p, exactly.
+  const double now = step.difference(pressure_1, pressure_2), before = worn.begun ? worn.difference : now;
+  worn.difference = now;
   const double dissipated = step.find(worn);
-  result.fracture += set.weight[worn.facet] *
-                     (dissipated + step.uneven_energy(pressure_1, pressure_2, worn.released() - before));
+  result.fracture +=
+      set.weight[worn.facet] * (dissipated + step.uneven_energy(before * now, worn.released() - released));
   if (!cracks(worn)) return;
   worn.cracked = true;
   worn.opened = has_opened(worn);

@@ -23,6 +23,7 @@ struct WornFacet {
   bool cracked = false, opened = false;  // opened: it was open when it cracked
   bool parted = false;                   // its faces no longer lie opposite each other: it bears nothing
   double added_n = 0, added_t = 0;       // traction by the cells' areas and at rest, at the last step [Pa]
+  double difference = 0;                 // of the cells' pressures, at the last step [Pa]
   struct End {
     FacetPoint point;
     double normal = 0, shear = 0;   // traction at the last step [Pa]

@@ -237,16 +237,18 @@ double Facets::strain_energy(const Particles& p) const {
     }
     // Of what an open point has lost, half is stored: it unloads towards its origin.
     const auto& [left, right] = worn->ends;
-    const double of_points =
-        0.25 * (std::max(left.normal, 0.0) * left.lost_n + std::max(right.normal, 0.0) * right.lost_n);
+    const auto of_point = [](const WornFacet::End& end) {
+      return 0.25 * std::max(end.normal, 0.0) * (end.lost_n + end.point.closing);
+    };
+    const double of_points = of_point(left) + of_point(right);
     const double half = 0.5 / set_.stiffness[k], dn = half * (left.normal - right.normal),
                  dt = half * (left.shear - right.shear);
     const double n = half * (left.normal + right.normal) - worn->added_n / set_.stiffness[k],
                  t = half * (left.shear + right.shear) - worn->added_t / set_.stiffness[k];
     add(k, n, t, std::hypot(dn, dt), of_points);
     const WornStep step(k, motion_of(k, p.ux, p.uy, set_), set_);
-    sum += set_.weight[k] *
-           step.uneven_energy(set_.pressure[set_.first[k]], set_.pressure[set_.second[k]], worn->released());
+    const double difference = step.difference(set_.pressure[set_.first[k]], set_.pressure[set_.second[k]]);
+    sum += set_.weight[k] * step.uneven_energy(difference * difference, worn->released());
   }
   for (std::uint32_t i = 0; i < set_.cells(); ++i)
     if (set_.bulk[i] > 0) sum += 0.5 * set_.pressure[i] * set_.pressure[i] / set_.bulk[i];

@@ -38,6 +38,7 @@ class WornStep {
       const double at = (e == 0 ? 1 : -1) * kFacetPoint * set_.length[k_];
       const double n = jump_n - at * motion_.turn;
       if (law_.rate_exponent > 0 && end.point.wear == 0) raise(n, jump_t, worn.begun, end);
+      const double closed_before = end.point.closing;
       const auto [sigma, tau] =
           worn.parted ? FacetTraction{0, 0} : facet_traction(law_, stiffness_, n, jump_t, end.point);
       if (!worn.begun) {
@@ -50,7 +51,8 @@ class WornStep {
       dissipated +=
           half * 0.5 *
           ((end.normal + sigma) * (lost_n - end.lost_n) + (end.shear + tau) * (lost_t - end.lost_t) -
-           (std::max(sigma, 0.0) * lost_n - std::max(end.normal, 0.0) * end.lost_n));
+           (std::max(sigma, 0.0) * (lost_n + end.point.closing) -
+            std::max(end.normal, 0.0) * (end.lost_n + closed_before)));
       end.normal = sigma;
       end.shear = tau;
       end.lost_n = lost_n;
@@ -70,11 +72,13 @@ class WornStep {
     return {set_.share_1[k_] * first, set_.share_2[k_] * second};
   }
 
-  // Stored by unlike pressures of the cells where this share of them is not borne (facet_kernel.hpp) [J/m].
-  double uneven_energy(double pressure_1, double pressure_2, double released) const {
-    const double difference =
-        (set_.share_1[k_] * pressure_1 - set_.share_2[k_] * pressure_2) / set_.weight[k_];
-    return set_.length[k_] * released * difference * difference / (8 * stiffness_);
+  // By how much the cells' pressures differ [Pa], and what that stores, from its square, where this share of
+  // them is not borne (facet_kernel.hpp) [J/m].
+  double difference(double pressure_1, double pressure_2) const {
+    return (set_.share_1[k_] * pressure_1 - set_.share_2[k_] * pressure_2) / set_.weight[k_];
+  }
+  double uneven_energy(double square, double released) const {
+    return set_.length[k_] * released * square / (8 * stiffness_);
   }
 
   // s A / 2k for both cells.

@@ -312,6 +312,35 @@ TEST(FacetLaw, WearsByOpeningAfterShearToAndFro) {
   EXPECT_NEAR(point.wear, worn + 1, 0.01) << "by the opening over w, as a point that was never sheared";
 }
 
+// Faces that slip under a pressure above the cohesion close by psi times the slip, by half as much under half
+// the cohesion, and no further as they slip to and fro.
+TEST(FacetLaw, ClosesAsItSlipsUnderPressure) {
+  constexpr double kSpring = 1e13, kPressed = -2e-6, kSlips = 1e-4, kSteps = 1000;
+  const FacetLaw law{.tensile_strength = 3e6,
+                     .cohesion = 15e6,
+                     .friction = 0.3,
+                     .residual_friction = 0.1,
+                     .opening_energy = 100,
+                     .shearing_energy = 300,
+                     .contraction = kContraction};
+  const auto slip = [&](FacetPoint& point, double from, double to, double pressed) {
+    for (double n = 1; n <= kSteps; ++n)
+      facet_traction(law, kSpring, pressed - point.closing, from + n / kSteps * (to - from), point);
+  };
+  FacetPoint point, half;
+  slip(half, 0, kSlips, -0.5 * law.cohesion / kSpring);
+  EXPECT_NEAR(half.closing, 0.5 * kContraction * half.slip, 1e-9 * kSlips);
+  slip(point, 0, kSlips, kPressed);
+  EXPECT_NEAR(point.closing, kContraction * std::abs(point.slip), 1e-3 * kContraction * kSlips);
+  EXPECT_NEAR(point.slip, kSlips, 0.02 * kSlips);
+  const double once = point.closing;
+  slip(point, kSlips, -0.9 * kSlips, kPressed);
+  slip(point, -0.9 * kSlips, 0.9 * kSlips, kPressed);
+  EXPECT_EQ(point.closing, once) << "it has slipped as far before";
+  EXPECT_GE(facet_traction(law, kSpring, -once / 2, 0.9 * kSlips, point).normal, 0)
+      << "faces that were brought nearer are open where they would otherwise press";
+}
+
 // Forces of every law, computed once apart from this code, to 1e-12: a change of any of them must be meant.
 TEST(Laws, GiveTheStoredForces) {
   const Body a{0.01, -0.02, 0.3, -0.2, 1.5, 0.1, 0.5, 120}, b{0.17, 0.06, -0.1, 0.4, -0.7, 0.09, 0.8, 300};

@@ -90,5 +90,26 @@ TEST(Laboratory, SpecimensAreCrushedAtTheCompressiveStrength) {
     }
 }
 
+// Facets that open under pressure release at once what they bore of the cells' swelling; the ledger has it.
+TEST(Laboratory, CrushingUnderPressureKeepsEnergy) {
+  constexpr double kSize = 0.01, kSpeed = 0.04, kPressure = 5e6;
+  auto scene = specimen(kSize, -kSpeed, 1);
+  for (const bool right : {false, true}) {
+    auto& load = *scene.mutable_particles()->add_loads();
+    load.mutable_where()->set_y_min(0);
+    load.mutable_where()->set_y_max(kHeight);
+    if (right)
+      load.mutable_where()->set_x_min(kWidth - kSize);
+    else
+      load.mutable_where()->set_x_max(kSize);
+    load.mutable_force()->set_x((right ? -1 : 1) * kPressure * kHeight);
+  }
+  test::InProcessRun run(scene, {}, 0.1);
+  while (static_cast<double>(run.next) * run.dt < 2e-3 * kHeight / kSpeed) run.advance();
+  const double work = run.predicted.energies().external_work();
+  EXPECT_GT(run.shares()["fracture"], 0.1 * work);
+  EXPECT_LT(std::abs(run.shares()["time_step"]), 1.5e-3 * work);
+}
+
 }  // namespace
 }  // namespace adit::dem::laboratory_test
