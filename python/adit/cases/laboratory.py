@@ -12,6 +12,8 @@ WIDTH, HEIGHT = 0.1, 0.2  # of the specimen [m]
 DISC, FLAT = 0.15, 0.9588  # diameter of the disc [m]; by which flats of 20 degrees reduce the stress (Wang et al. 2004)
 SPAN, NOTCH = 4, 1 / 3  # of the beam, over its depth
 PLATEN, PRESS = 0.02, 0.01  # speed of the platen that crushes, and of the press on the beam [m/s]
+JACKET, PRESSED = 1e9, 0.004  # Young's modulus of the jackets [Pa]; when the walls beside them stop [s]
+SINKS = 0.02  # by which the walls sink into the jackets, over the size of their cells
 BURSTS = 0.3  # of the critical time step: pieces of what bursts touch where nothing touched
 ALIKE = 12  # depth of beams of other depths, over the size of their cells
 
@@ -58,11 +60,11 @@ GRANITE = Material("granite", 69e9, 0.26, 2630, 6.9e6, 200e6, 44, 10e3, (0, 20e6
 
 @dataclass(frozen=True)
 class Strength:
-    """A strength in `test`: tension, splitting, or compression under this pressure [Pa]."""
+    """A strength in `test`: tension, splitting, or compression under about this pressure [Pa]."""
     material: Material
     test: object
     cells: Cells
-    HEAD = ("material", "test", "size_m", "seed", "strength_Pa")
+    HEAD = ("material", "test", "size_m", "seed", "strength_Pa", "pressure_Pa")
 
     def row(self):
         return self.material.name, self.test, self.cells.size, self.cells.seed
@@ -72,17 +74,18 @@ class Strength:
         return f"{self.material.name}_{test}_{self.cells}"
 
     def measure(self, folder):
-        """The strength [Pa], alone in a tuple."""
+        """The strength, and the pressure on the sides under which it was reached [Pa]."""
         scene, seconds, particles = self._plan()
         run = coupled_runs.run({"extends": str(CASE / f"{scene}.yaml"), "material": self.material.given(),
                                 "time": {"duration": seconds, "dt_factor": BURSTS}, "particles": particles,
                                 "output": {"history_interval": seconds / 1000, "field_times": None}}, folder / str(self))
         force = run.histories["force_thrust_N"]
         if self.test == "tension":
-            return force.max() / WIDTH,
+            return force.max() / WIDTH, 0
         if self.test == "splitting":
-            return FLAT * 2 * _first_peak(-force) / (np.pi * DISC),
-        return _first_peak(-force) / WIDTH,
+            return FLAT * 2 * -force[_first_peak(-force)] / (np.pi * DISC), 0
+        peak = _first_peak(-force)
+        return -force[peak] / WIDTH, -run.histories["side_fx_N"][peak] / HEIGHT if self.test else 0
 
     def _plan(self):
         """(scene, duration [s], changes of its particles)"""
@@ -95,19 +98,26 @@ class Strength:
         return "confined", stress / self.material.young_modulus * HEIGHT / PLATEN, self._pressed()
 
     def _pressed(self):
-        """The jacket is two cells thick; the pressure acts on the outer ones."""
-        jacket, force = 2 * self.cells.size, self.test * HEIGHT
-        ramp = {"table": {"time": [0, 0.004], "value": [0, 1]}}
-        sides = (({"x_max": -jacket / 2}, force), ({"x_min": WIDTH + jacket / 2}, -force))
-        return {**_specimen(self.cells, x_min=-jacket, x_max=WIDTH + jacket), "loads": [
-            {"where": {**side, "y_min": 0, "y_max": HEIGHT}, "force": {"x": x}, "time": ramp} for side, x in sides]}
+        """Jackets two cells thick are pressed by walls, which are so stiff that these sink in by SINKS."""
+        size = self.cells.size
+        jacket, sinks = 2 * size, SINKS * size
+        particles = _specimen(self.cells, x_min=-jacket, x_max=WIDTH + jacket)
+        if not self.test:
+            return {**particles, "walls": [], "histories": [{"name": "force", "quantity": "thrust", "section": "middle"}]}
+        stiffness = self.test / sinks * size / math.sqrt(3)  # of a side
+        speed = (sinks + self.test * jacket / JACKET) / PRESSED
+        stops = {"table": {"time": [0, PRESSED, PRESSED + 1e-5], "value": [1, 1, 0]}}
+        return {**particles, "walls": [
+            {"name": name, "from": {"x": x, "y": 0}, "to": {"x": x, "y": HEIGHT}, "velocity": {"x": sign * speed, "time": stops},
+             "contacts": {"normal_stiffness": stiffness, "shear_stiffness": stiffness / 10, "friction": 0}}
+            for name, x, sign in (("left", -jacket, 1), ("right", WIDTH + jacket, -1))]}
 
 
 def _first_peak(force):
-    """The largest force before it first falls by a tenth: the halves of a disc, and what a jacket holds, may bear more later."""
+    """Where it is largest before it first falls by a tenth: halves of a disc, and what a jacket holds, may bear more later."""
     largest = np.maximum.accumulate(force)
     fallen = (force < 0.9 * largest) & (largest > 0.1 * largest[-1])
-    return largest[fallen.argmax()] if fallen.any() else largest[-1]
+    return force[:fallen.argmax() if fallen.any() else None].argmax()
 
 
 def _specimen(cells, **sides):
@@ -122,16 +132,19 @@ def strengths(material, measured):
     yield f"{material.name:24}" + "".join(f"{1000 * size:g} mm".rjust(24) for size in sizes)
 
     def of(test, size):
-        return np.array([value for one, (value,) in measured.items() if one.test == test and one.cells.size == size])
+        return np.array([values for one, values in measured.items() if one.test == test and one.cells.size == size]).T
+
+    def slope(size):
+        strength, pressure = of(material.pressures[-1], size)
+        return (strength - of(0, size)[0]) / pressure
 
     def line(what, values):
         return f"{what:24}" + "".join(f"{v.mean():8.3f} ({v.min():.3f}-{v.max():.3f})".rjust(24) for v in values)
 
-    yield line("tension / stated", [of("tension", size) / material.tensile_strength for size in sizes])
-    yield line("splitting / tension", [of("splitting", size) / of("tension", size) for size in sizes])
-    yield line("crushing / stated", [of(0, size) / material.compressive_strength for size in sizes])
-    last = material.pressures[-1]
-    yield line("slope", [(of(last, size) - of(0, size)) / last for size in sizes]) + f"{material.slope:10.3f} stated"
+    yield line("tension / stated", [of("tension", size)[0] / material.tensile_strength for size in sizes])
+    yield line("splitting / tension", [of("splitting", size)[0] / of("tension", size)[0] for size in sizes])
+    yield line("crushing / stated", [of(0, size)[0] / material.compressive_strength for size in sizes])
+    yield line("slope", [slope(size) for size in sizes]) + f"{material.slope:10.3f} stated"
 
 
 @dataclass(frozen=True)
