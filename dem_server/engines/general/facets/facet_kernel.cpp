@@ -146,7 +146,7 @@ inline constexpr double kBeyond = 1 + 1e-12;  // rounding of a traction that was
 
 // The strengths of a law as the loop below asks for them.
 struct Strengths {
-  double tensile, inverse_closing, cohesion_beyond, friction;  // 1 / (kFullCohesion f_t), c - f_t
+  double tensile, inverse_full, cohesion_beyond, friction;  // 1 / (kFullCohesion f_t), c - f_t
 };
 [[gnu::always_inline]] inline Strengths strengths_of(const FacetLaw& law) {
   return {law.tensile_strength, 1 / (kFullCohesion * law.tensile_strength),
@@ -155,7 +155,7 @@ struct Strengths {
 
 // Whether a point that was never beyond its strength is now (laws/facet.hpp with chi = 1).
 [[gnu::always_inline]] inline bool exceeds(const Strengths& law, double sigma, double shear) {
-  const double pressure = -sigma, closed = std::min(1.0, pressure * law.inverse_closing);
+  const double pressure = -sigma, closed = std::min(1.0, pressure * law.inverse_full);
   const double limit = law.tensile + law.cohesion_beyond * closed + pressure * law.friction;
   const bool open = sigma > 0;
   const double found = open ? sigma * sigma + shear * shear : shear;

@@ -4,6 +4,7 @@
 // consecutive cells (pairs/pairs.hpp) belong to it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -28,6 +29,8 @@ struct WornFacet {
     FacetPoint point;
     double normal = 0, shear = 0;   // traction at the last step [Pa]
     double lost_n = 0, lost_t = 0;  // jump that is not elastic [m]
+    // Twice what it stores of what it has lost: an open point unloads towards its origin [J/m^2].
+    double kept() const { return std::max(normal, 0.0) * (lost_n + point.closing); }
   };
   std::array<End, 2> ends{};  // towards the left of n, towards the right
 

@@ -235,12 +235,8 @@ double Facets::strain_energy(const Particles& p) const {
       add(k, motion.jump_n, motion.jump_t, motion.turn * kFacetPoint * set_.length[k], 0);
       continue;
     }
-    // Of what an open point has lost, half is stored: it unloads towards its origin.
     const auto& [left, right] = worn->ends;
-    const auto of_point = [](const WornFacet::End& end) {
-      return 0.25 * std::max(end.normal, 0.0) * (end.lost_n + end.point.closing);
-    };
-    const double of_points = of_point(left) + of_point(right);
+    const double of_points = 0.25 * (left.kept() + right.kept());
     const double half = 0.5 / set_.stiffness[k], dn = half * (left.normal - right.normal),
                  dt = half * (left.shear - right.shear);
     const double n = half * (left.normal + right.normal) - worn->added_n / set_.stiffness[k],

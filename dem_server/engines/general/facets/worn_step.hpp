@@ -38,7 +38,7 @@ class WornStep {
       const double at = (e == 0 ? 1 : -1) * kFacetPoint * set_.length[k_];
       const double n = jump_n - at * motion_.turn;
       if (law_.rate_exponent > 0 && end.point.wear == 0) raise(n, jump_t, worn.begun, end);
-      const double closed_before = end.point.closing;
+      const double kept_before = end.kept();
       const auto [sigma, tau] =
           worn.parted ? FacetTraction{0, 0} : facet_traction(law_, stiffness_, n, jump_t, end.point);
       if (!worn.begun) {
@@ -47,16 +47,13 @@ class WornStep {
         end.shear = tau;
       }
       const double lost_n = n - sigma / stiffness_, lost_t = jump_t - tau / stiffness_;
-      // The work on what is lost, less what an open point stores of it because it unloads towards its origin.
-      dissipated +=
-          half * 0.5 *
-          ((end.normal + sigma) * (lost_n - end.lost_n) + (end.shear + tau) * (lost_t - end.lost_t) -
-           (std::max(sigma, 0.0) * (lost_n + end.point.closing) -
-            std::max(end.normal, 0.0) * (end.lost_n + closed_before)));
+      const double work =
+          (end.normal + sigma) * (lost_n - end.lost_n) + (end.shear + tau) * (lost_t - end.lost_t);
       end.normal = sigma;
       end.shear = tau;
       end.lost_n = lost_n;
       end.lost_t = lost_t;
+      dissipated += half * 0.5 * (work - (end.kept() - kept_before));
     }
     worn.begun = true;
     return dissipated;
